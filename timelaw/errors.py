@@ -1,0 +1,50 @@
+"""The errors a user can cause, each with its exit code; everything else is a defect of ours."""
+
+from dataclasses import dataclass, replace
+
+EXIT_DONE = 0
+EXIT_FINDINGS = 1
+EXIT_BAD_INPUT = 2
+EXIT_INFEASIBLE = 3
+EXIT_INTERRUPTED = 130
+
+
+@dataclass(frozen=True)
+class Fault:
+    """One thing that is wrong in an input, and where: `path:line:column: where: what`."""
+
+    message: str
+    where: str = ""
+    path: str = ""
+    line: int | None = None
+    column: int | None = None
+
+    def at(self, place: tuple[int, int] | None) -> "Fault":
+        """The same fault at another line and column, if one is given."""
+        return self if place is None else replace(self, line=place[0], column=place[1])
+
+    def __str__(self) -> str:
+        place = self.path
+        if self.line is not None:
+            place += f":{self.line}:{self.column}"
+        return ": ".join(part for part in (place, self.where, self.message) if part)
+
+
+class TimelawError(Exception):
+    """An error with a message for the user and an exit code for the shell."""
+
+    exit_code = EXIT_BAD_INPUT
+
+    def __init__(self, *faults: Fault | str) -> None:
+        self.faults = tuple(f if isinstance(f, Fault) else Fault(f) for f in faults)
+        super().__init__("\n".join(str(f) for f in self.faults))
+
+
+class InputError(TimelawError):
+    """The command line or a file is wrong."""
+
+
+class InfeasibleError(TimelawError):
+    """The problem is well-formed but has no solution, or none was found."""
+
+    exit_code = EXIT_INFEASIBLE
