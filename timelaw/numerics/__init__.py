@@ -1,0 +1,1 @@
+"""Quaternion algebra and polynomials in Bernstein form: the ground everything stands on."""

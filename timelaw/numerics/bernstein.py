@@ -1,0 +1,104 @@
+"""Polynomials on [0, 1] in Bernstein form: p(u) = Σ c_i C(n, i) u^i (1 - u)^(n - i).
+
+Control points stand on the last axis, so every function works on stacks of polynomials of one
+degree. The form is kept from the solver to the law file: control points bound the polynomial,
+subdivision is a convex combination, and neither ever loses digits as the power form does.
+"""
+
+from functools import cache
+from math import comb
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Array = NDArray[np.float64]
+
+UNIT_ROUNDOFF = float(np.finfo(float).eps) / 2
+
+
+def evaluate(control: ArrayLike, u: ArrayLike) -> Array:
+    """p(u) by de Casteljau: control (..., n+1) and u (...) broadcast; returns (...)."""
+    u = np.asarray(u, dtype=float)[..., None]
+    c = np.asarray(control, dtype=float)
+    c = np.broadcast_to(c, (*np.broadcast_shapes(c.shape[:-1], u.shape[:-1]), c.shape[-1]))
+    while c.shape[-1] > 1:
+        c = (1 - u) * c[..., :-1] + u * c[..., 1:]
+    return np.array(c[..., 0])
+
+
+def differentiate(control: ArrayLike, order: int = 1) -> Array:
+    """Control points of the derivative, n!/(n - k)! Δ^k c; of degree 0 where order k > n."""
+    c = np.asarray(control, dtype=float)
+    for _ in range(order):
+        degree = c.shape[-1] - 1
+        c = degree * np.diff(c, axis=-1) if degree else np.zeros_like(c)
+    return c
+
+
+def derivative_rounding(control: Array, order: int) -> float:
+    """Bound on the rounding error of any control point of `differentiate(control, order)`.
+
+    One difference of values of size m errs by at most 2 u m (u the unit roundoff, one for the
+    difference and one for the factor) and doubles the error it is given.
+    """
+    c, error = np.asarray(control, dtype=float), 0.0
+    for _ in range(order):
+        degree = c.shape[-1] - 1
+        step = degree * np.diff(c, axis=-1) if degree else np.zeros_like(c)
+        error = degree * 2 * error + 2 * UNIT_ROUNDOFF * float(np.max(np.abs(step), initial=0.0))
+        c = step
+    return error
+
+
+@cache
+def halving(degree: int) -> Array:
+    """Matrix (2(n+1), n+1): control points of both halves of a polynomial of this degree."""
+    left = np.array([[comb(i, j) / 2.0**i for j in range(degree + 1)] for i in range(degree + 1)])
+    both = np.concatenate([left, left[::-1, ::-1]])
+    both.setflags(write=False)
+    return both
+
+
+def split(control: ArrayLike, u: float) -> tuple[Array, Array]:
+    """Control points of p on [0, u] and on [u, 1], both over [0, 1], by de Casteljau."""
+    c = np.asarray(control, dtype=float)
+    left, right = [c[..., 0]], [c[..., -1]]
+    while c.shape[-1] > 1:
+        c = (1 - u) * c[..., :-1] + u * c[..., 1:]
+        left.append(c[..., 0])
+        right.append(c[..., -1])
+    return np.stack(left, axis=-1), np.stack(right[::-1], axis=-1)
+
+
+def elevate(control: ArrayLike, degree: int) -> Array:
+    """The same polynomial written with the given, not lower, degree."""
+    c = np.asarray(control, dtype=float)
+    while (n := c.shape[-1] - 1) < degree:
+        share = np.arange(1, n + 1) / (n + 1)
+        inner = share * c[..., :-1] + (1 - share) * c[..., 1:]
+        c = np.concatenate([c[..., :1], inner, c[..., -1:]], axis=-1)
+    return c
+
+
+def basis_matrix(degree: int, u: ArrayLike, order: int = 0) -> Array:
+    """Matrix E (m, n+1) with p^(k)(u_i) = Σ_j E_ij c_j for the m points u and k = `order`."""
+    columns = differentiate(np.eye(degree + 1), order)  # row j: control points of the j-th basis function
+    return evaluate(columns[None, :, :], np.asarray(u, dtype=float)[:, None])
+
+
+def hermite_matrix(degree: int, count: int) -> Array:
+    """Matrix H (count, count): the first control points from p(0), p'(0), …: c = H g.
+
+    c_j = Σ_{i ≤ j} C(j, i) (n - i)!/n! p^(i)(0).
+    """
+    falling = [1.0]
+    for i in range(1, count):
+        falling.append(falling[-1] / (degree - i + 1))
+    return np.array([[comb(j, i) * falling[i] for i in range(count)] for j in range(count)])
+
+
+def integral_of_square(control: ArrayLike) -> float:
+    """∫₀¹ p(u)² du by Gauss-Legendre with n + 1 nodes, exact for degree 2n up to rounding."""
+    c = np.asarray(control, dtype=float)
+    nodes, weights = np.polynomial.legendre.leggauss(c.shape[-1])
+    return float(np.sum(weights / 2 * evaluate(c, (nodes + 1) / 2) ** 2))
