@@ -1,0 +1,6 @@
+"""The problem file: YAML text → a checked, frozen model. Everything a user can mistype ends here."""
+
+from timelaw.problem.load import load, parse
+from timelaw.problem.model import Problem
+
+__all__ = ["Problem", "load", "parse"]

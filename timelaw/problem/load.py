@@ -1,0 +1,107 @@
+"""Read a problem file; say of every fault where it is, what was given and what is allowed."""
+
+from pathlib import Path
+from typing import Any
+
+from pydantic import BaseModel, ValidationError
+from pydantic_core import ErrorDetails
+
+from timelaw.errors import Fault, InputError
+from timelaw.problem.model import Problem, nearest, quoted
+from timelaw.problem.source import Path as Where
+from timelaw.problem.source import Source, read
+
+VERSION = 1
+MAX_BYTES = 10_000_000  # far above any real problem file; a wrong file is refused before it is parsed
+
+
+def load(path: Path) -> Problem:
+    """Read and check the problem file at `path`.
+
+    Raises:
+        InputError: with one fault per line, each with file:line:column.
+    """
+    return parse(read_text(path), str(path))
+
+
+def read_text(path: Path) -> str:
+    """The text of a file, or an InputError that says why not."""
+    try:
+        if path.stat().st_size > MAX_BYTES:
+            raise InputError(Fault(f"larger than {MAX_BYTES // 1_000_000} MB", "", str(path)))
+        return path.read_text(encoding="utf-8-sig")
+    except OSError as error:
+        raise InputError(Fault(f"cannot be read: {error.strerror or error}", "", str(path))) from None
+    except UnicodeDecodeError:
+        raise InputError(Fault("is not a UTF-8 text", "", str(path))) from None
+
+
+def parse(text: str, path: str = "<problem>") -> Problem:
+    """Check the text of a problem file; `path` is named in the messages."""
+    source = read(text, path)
+    version = source.data.get("timelaw")
+    if "timelaw" in source.data and (version != VERSION or isinstance(version, bool)):
+        message = f"{quoted(version)}; this program reads problem files of version {VERSION}"
+        raise InputError(source.fault(("timelaw",), message))
+    try:
+        return Problem.model_validate(source.data)
+    except ValidationError as error:
+        faults = [_fault(source, details) for details in error.errors()]
+        raise InputError(*sorted(faults, key=lambda f: (f.line or 0, f.column or 0))) from None
+
+
+def _fault(source: Source, details: ErrorDetails) -> Fault:
+    where = _in_data(source.data, details["loc"])
+    kind, given, context = details["type"], details["input"], details.get("ctx", {})
+    if kind == "extra_forbidden":
+        allowed = nearest(where[-1], _model_at(where[:-1]).model_fields)
+        return source.fault(where[:-1], f'unknown key "{where[-1]}"; allowed: {allowed}').at(
+            source.keys.get(where)
+        )
+    if kind == "missing":
+        return source.fault(where[:-1], f'missing key "{where[-1]}"')
+    if kind == "invalid_key":
+        return source.fault(where[:-1], f"the key {where[-1]} is not a text").at(source.keys.get(where))
+    if kind == "timelaw":
+        return source.fault((*where, *context["where"]), details["msg"])
+    return source.fault(where, f"{quoted(given)}; {_expectation(kind, given, context, details['msg'])}")
+
+
+def _expectation(kind: str, given: Any, context: dict[str, Any], message: str) -> str:
+    """What is allowed instead, in the words of this program."""
+    if kind == "literal_error":
+        options = context["expected"].replace(" or ", ", ").replace("'", "").split(", ")
+        return f"allowed: {nearest(given, options)}"
+    return {
+        "bool_type": "allowed: true, false",
+        "int_type": "a whole number is needed",
+        "string_type": "a text is needed",
+        "model_type": "a mapping of keys and values is needed",
+        "tuple_type": "a list is needed",
+        "greater_than_equal": f"at least {context.get('ge')} is needed",
+        "less_than_equal": f"at most {context.get('le')} is allowed",
+        "string_too_long": f"at most {context.get('max_length')} characters are allowed",
+        "string_pattern_mismatch": "letters, digits, '.', '_' and '-' are allowed, a letter or digit first",
+    }.get(kind, message)
+
+
+def _in_data(data: Any, location: Where) -> Where:
+    """The part of pydantic's location that stands in the file, without the names of union members."""
+    path: list[str | int] = []
+    for index, part in enumerate(location):
+        inside = isinstance(data, dict) or (isinstance(data, list) and isinstance(part, int))
+        if not inside or (isinstance(data, dict) and part not in data and index < len(location) - 1):
+            continue
+        path.append(part)
+        data = data.get(part) if isinstance(data, dict) else data[int(part)]
+    return tuple(path)
+
+
+def _model_at(path: Where) -> type[BaseModel]:
+    """The model that describes the mapping at `path`."""
+    model: type[BaseModel] = Problem
+    for part in path:
+        annotation = model.model_fields[str(part)].annotation
+        if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+            model = annotation
+    return model

@@ -1,0 +1,110 @@
+"""YAML 1.2 text → plain data, with the line and column of every key and value."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from ruamel.yaml import YAML
+from ruamel.yaml.composer import ComposerError
+from ruamel.yaml.constructor import DuplicateKeyError
+from ruamel.yaml.error import MarkedYAMLError, YAMLError
+from ruamel.yaml.nodes import MappingNode, Node, SequenceNode
+
+from timelaw.errors import Fault, InputError
+
+Path = tuple[str | int, ...]
+
+
+@dataclass(frozen=True)
+class Source:
+    """Plain data of one document and where each part stands (line, column, both from 1)."""
+
+    data: Any
+    path: str
+    keys: dict[Path, tuple[int, int]]
+    values: dict[Path, tuple[int, int]]
+
+    def fault(self, where: Path, message: str, *, at_key: bool = False) -> Fault:
+        """A fault at the key or the value of `where`, or at what encloses it if it is absent."""
+        place = self.keys.get(where) if at_key else None
+        parent = where
+        while place is None and parent:
+            place = self.values.get(parent)
+            parent = parent[:-1]
+        line, column = place or (1, 1)
+        return Fault(message, dotted(where), self.path, line, column)
+
+
+def dotted(path: Path) -> str:
+    """("a", 0, "b") → a[1].b: items are counted from 1, as people and lines are."""
+    text = ""
+    for part in path:
+        text += f"[{part + 1}]" if isinstance(part, int) else f".{part}" if text else part
+    return text
+
+
+def read(text: str, path: str) -> Source:
+    """Parse one YAML 1.2 document.
+
+    Raises:
+        InputError: not YAML, a duplicate key, more than one document, or not a mapping.
+    """
+    yaml = YAML(typ="safe", pure=True)
+    try:
+        node = yaml.compose(text)
+        _refuse_cycles(node, ())
+        data = yaml.load(text)
+    except DuplicateKeyError as error:
+        key = str(error.problem).split('"')[1] if '"' in str(error.problem) else "?"
+        raise InputError(_marked(error, f'duplicate key "{key}"', path)) from None
+    except MarkedYAMLError as error:
+        what = " ".join(str(part) for part in (error.context, error.problem) if part)
+        raise InputError(_marked(error, f"not readable as YAML: {what}", path)) from None
+    except (YAMLError, ValueError) as error:
+        what = str(error).strip().splitlines()[0]
+        raise InputError(Fault(f"not readable as YAML: {what}", "", path, 1, 1)) from None
+    if not isinstance(data, dict):
+        given = "an empty file" if data is None else f"a {_name(data)}"
+        raise InputError(
+            Fault(f'{given}; a problem file is a mapping that starts with "timelaw: 1"', "", path, 1, 1)
+        )
+    keys: dict[Path, tuple[int, int]] = {}
+    values: dict[Path, tuple[int, int]] = {}
+    for where, key_node, value_node in _walk(node, ()):
+        values[where] = (value_node.start_mark.line + 1, value_node.start_mark.column + 1)
+        if key_node is not None:
+            keys[where] = (key_node.start_mark.line + 1, key_node.start_mark.column + 1)
+    return Source(data, path, keys, values)
+
+
+def _marked(error: MarkedYAMLError, message: str, path: str) -> Fault:
+    mark = error.problem_mark or error.context_mark
+    return Fault(message, "", path, mark.line + 1 if mark else 1, mark.column + 1 if mark else 1)
+
+
+def _refuse_cycles(node: Node | None, ancestors: tuple[int, ...]) -> None:
+    """An alias may repeat a part of the file, but not the part it stands in."""
+    if node is not None and id(node) in ancestors:
+        raise ComposerError(None, None, "an alias repeats the part it stands in", node.start_mark)
+    if isinstance(node, MappingNode | SequenceNode):
+        for child in node.value:
+            for part in child if isinstance(child, tuple) else (child,):
+                _refuse_cycles(part, (*ancestors, id(node)))
+
+
+def _name(data: Any) -> str:
+    return "list" if isinstance(data, list) else "single value"
+
+
+def _walk(node: Node, path: Path) -> Iterator[tuple[Path, Node | None, Node]]:
+    """Yield (path, key node, value node) of everything below `node`."""
+    if isinstance(node, MappingNode):
+        for key, value in node.value:
+            where = (*path, key.value)
+            yield where, key, value
+            yield from _walk(value, where)
+    elif isinstance(node, SequenceNode):
+        for index, value in enumerate(node.value):
+            where = (*path, index)
+            yield where, None, value
+            yield from _walk(value, where)
