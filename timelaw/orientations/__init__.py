@@ -1,0 +1,5 @@
+"""Orientation sets: labelled unit quaternions, from a lattice, a table or the problem file itself."""
+
+from timelaw.orientations.orientation_set import OrientationSet, orientations
+
+__all__ = ["OrientationSet", "orientations"]
