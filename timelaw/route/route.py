@@ -1,0 +1,131 @@
+"""The route of a tour: legs, the nodes between them, and the runs the body can do without a stop."""
+
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from timelaw.errors import Fault, InputError
+from timelaw.numerics.quaternion import from_axis_angle, multiply
+from timelaw.orientations import OrientationSet
+from timelaw.route.leg import AXIS_TOLERANCE, Leg, relative_turn, turn_between
+from timelaw.tours import Tour
+
+Array = NDArray[np.float64]
+
+LEAST_ANGLE = 1e-6  # rad; below it two orientations are one, and the axis between them is noise
+
+NodeKind = Literal["start", "corner", "straight", "end"]
+
+
+@dataclass(frozen=True)
+class Node:
+    """A visit: `turn` [rad] is the angle between the axes of the legs before and after."""
+
+    label: str
+    kind: NodeKind
+    turn: float = 0.0
+
+
+@dataclass(frozen=True)
+class Run:
+    """A maximal chain of legs joined by straight nodes: it starts and ends at rest."""
+
+    first: int
+    angles: tuple[float, ...]
+
+    @property
+    def legs(self) -> range:
+        """Indices of its legs in the route."""
+        return range(self.first, self.first + len(self.angles))
+
+
+@dataclass(frozen=True)
+class Route:
+    """Legs in order, and the nodes before, between and after them (one more than legs)."""
+
+    legs: tuple[Leg, ...]
+    nodes: tuple[Node, ...]
+
+    @property
+    def angles(self) -> Array:
+        """Rotation angles θ (n,) of the legs [rad]."""
+        return np.array([leg.angle for leg in self.legs])
+
+    @property
+    def runs(self) -> tuple[Run, ...]:
+        """The route cut at its corners."""
+        runs: list[Run] = []
+        first = 0
+        for index in range(1, len(self.nodes)):
+            if self.nodes[index].kind != "straight":
+                runs.append(Run(first, tuple(leg.angle for leg in self.legs[first:index])))
+                first = index
+        return tuple(runs)
+
+    @property
+    def straight_nodes(self) -> int:
+        """How many nodes the body may pass at speed."""
+        return sum(node.kind == "straight" for node in self.nodes)
+
+    def orientation(self, sigma: ArrayLike) -> Array:
+        """Unit quaternions (..., 4) at route parameters σ (...): leg number plus fraction of it.
+
+        Raises:
+            ValueError: outside [0, number of legs].
+        """
+        sigma = np.asarray(sigma, dtype=float)
+        if np.any((sigma < 0) | (sigma > len(self.legs))):
+            raise ValueError(f"route parameter outside [0, {len(self.legs)}]")
+        index = np.minimum(sigma.astype(int), len(self.legs) - 1)
+        start = np.array([leg.start for leg in self.legs])[index]
+        axis = np.array([leg.axis for leg in self.legs])[index]
+        return multiply(start, from_axis_angle(axis, self.angles[index] * (sigma - index)))
+
+
+def route(points: OrientationSet, tour: Tour) -> Route:
+    """Join the visits of a tour by great-circle arcs.
+
+    Raises:
+        InputError: two visits in a row are the same orientation.
+    """
+    stops = tour.stops()
+    labels = [points.labels[i] for i in stops]
+    visits = points.quaternions[list(stops)]
+    turns = [relative_turn(visits[k], visits[k + 1]) for k in range(len(stops) - 1)]
+    for k, (_, angle, _) in enumerate(turns):
+        if angle < LEAST_ANGLE:
+            message = f'"{labels[k]}" and "{labels[k + 1]}" follow each other and are the same orientation'
+            raise InputError(Fault(message, "route.tour"))
+    axes = _settle_half_turns([t[0] for t in turns], [t[2] for t in turns])
+    legs: list[Leg] = []
+    start = visits[0]
+    for k, (_, angle, half_turn) in enumerate(turns):
+        reached = multiply(start, from_axis_angle(axes[k], np.array(angle)))
+        end = visits[k + 1] if float(reached @ visits[k + 1]) >= 0 else -visits[k + 1]
+        legs.append(Leg(labels[k], labels[k + 1], start, end, axes[k], angle, half_turn))
+        start = end
+    return Route(tuple(legs), _nodes(legs))
+
+
+def _settle_half_turns(axes: list[Array], free: list[bool]) -> list[Array]:
+    """Give each half-turn the sense that goes straight on, from the leg before or into the leg after."""
+    settled: list[Array] = []
+    for k, axis in enumerate(axes):
+        before = settled[k - 1] if k else None
+        after = axes[k + 1] if k + 1 < len(axes) and not free[k + 1] else None
+        opposed = before is not None and turn_between(before, -axis) <= AXIS_TOLERANCE
+        leads = before is not None and turn_between(before, axis) <= AXIS_TOLERANCE
+        against = after is not None and turn_between(-axis, after) <= AXIS_TOLERANCE
+        settled.append(-axis if free[k] and (opposed or (against and not leads)) else axis)
+    return settled
+
+
+def _nodes(legs: list[Leg]) -> tuple[Node, ...]:
+    inner = []
+    for before, after in pairwise(legs):
+        turn = turn_between(before.axis, after.axis)
+        inner.append(Node(before.target, "straight" if turn <= AXIS_TOLERANCE else "corner", turn))
+    return (Node(legs[0].origin, "start"), *inner, Node(legs[-1].target, "end"))
