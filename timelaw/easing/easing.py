@@ -1,0 +1,76 @@
+"""An easing as data: Bernstein control points on the intervals between breaks."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from timelaw.numerics.bernstein import derivative_rounding, differentiate, evaluate
+
+Array = NDArray[np.float64]
+Side = Literal["left", "right"]
+
+
+@dataclass(frozen=True)
+class Easing:
+    """s = f(τ): on [breaks[i], breaks[i+1]] the polynomial with control points `pieces[i]`.
+
+    `breaks` (p+1,) ascend from 0 to 1; the pieces may differ in degree.
+    """
+
+    breaks: Array
+    pieces: tuple[Array, ...]
+
+    def __post_init__(self) -> None:
+        for array in (self.breaks, *self.pieces):
+            array.setflags(write=False)
+
+    @classmethod
+    def single(cls, control: ArrayLike) -> "Easing":
+        """One polynomial over the whole leg."""
+        return cls(np.array([0.0, 1.0]), (np.array(control, dtype=float),))
+
+    def __call__(self, tau: ArrayLike, order: int = 0, side: Side = "right") -> Array:
+        """d^k f/dτ^k at τ (...), from the given side of a break; returns (...).
+
+        Raises:
+            ValueError: τ outside [0, 1].
+        """
+        tau = np.asarray(tau, dtype=float)
+        if np.any((tau < 0) | (tau > 1)):
+            raise ValueError("τ outside [0, 1]")
+        at = np.searchsorted(self.breaks, tau, side=side) - 1
+        at = np.clip(at, 0, len(self.pieces) - 1)
+        value = np.empty(tau.shape)
+        for index in np.unique(at):
+            here = at == index
+            start, width = self.breaks[index], self.breaks[index + 1] - self.breaks[index]
+            local = np.clip((tau[here] - start) / width, 0.0, 1.0)
+            value[here] = evaluate(differentiate(self.pieces[index], order), local) / width**order
+        return value
+
+    def derivative(self, order: int) -> list[tuple[Array, float]]:
+        """Control points of d^k f/dτ^k on each interval, with a bound on their rounding errors."""
+        widths = np.diff(self.breaks)
+        return [
+            (differentiate(piece, order) / width**order, derivative_rounding(piece, order) / width**order)
+            for piece, width in zip(self.pieces, widths, strict=True)
+        ]
+
+
+@dataclass(frozen=True)
+class Timing:
+    """How one leg is run through: in `duration` [s], by `easing`."""
+
+    duration: float
+    easing: Easing
+
+    def rates(self, angle: float, order: int) -> list[tuple[Array, float]]:
+        """Control points of d^k φ/dt^k = θ f^(k)/T^k, interval by interval, with rounding bounds."""
+        scale = angle / self.duration**order
+        return [(scale * c, scale * error) for c, error in self.easing.derivative(order)]
+
+    def stretched(self, factor: float) -> "Timing":
+        """The same easing in `factor` times the time."""
+        return Timing(self.duration * factor, self.easing)

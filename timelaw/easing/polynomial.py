@@ -1,0 +1,98 @@
+"""One polynomial per leg, of any degree ≥ 2r + 1, as a linear map of what the solver may choose."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from timelaw.easing.easing import Easing
+from timelaw.numerics.bernstein import basis_matrix, elevate, hermite_matrix
+
+Array = NDArray[np.float64]
+
+
+CONDITIONED_ORDER = 3  # the highest derivative that is limited depends most wildly on control points
+SIZE = 100.0  # of that derivative, typically: the quintic's third derivative peaks at 60
+
+
+@dataclass(frozen=True)
+class PolynomialBasis:
+    """Control points c = L g(0) + M x + R g(1) of an easing of `degree` d.
+
+    g = (f, f', …, f^(r)) at an end of the leg, r = `continuity`; x (d - 2r - 1,) is free. The
+    derivatives at the ends are met by construction, so no solver tolerance enters them.
+    """
+
+    degree: int
+    continuity: int
+
+    @property
+    def free(self) -> int:
+        """Number of free control points per leg."""
+        return self.degree - 2 * self.continuity - 1
+
+    @cached_property
+    def from_left(self) -> Array:
+        """L (d+1, r+1)."""
+        return self._padded(hermite_matrix(self.degree, self.continuity + 1))
+
+    @cached_property
+    def from_free(self) -> Array:
+        """M (d+1, d-2r-1): directions in which the third derivative changes independently.
+
+        Single control points of degree 31 are almost linearly dependent in their effect on the
+        third derivative; with M made orthonormal there, the solver needs far fewer iterations.
+        """
+        inner = np.zeros((self.degree + 1, self.free))
+        inner[self._inner] = np.linalg.inv(self._triangle)
+        return inner
+
+    @property
+    def _inner(self) -> slice:
+        return slice(self.continuity + 1, self.degree - self.continuity)
+
+    @cached_property
+    def _triangle(self) -> Array:
+        """Upper triangle that takes inner control points to the solver's variables."""
+        effect = self.values(self.points(CONDITIONED_ORDER), CONDITIONED_ORDER)[:, self._inner]
+        return np.array(np.linalg.qr(effect)[1] / SIZE)
+
+    @cached_property
+    def from_right(self) -> Array:
+        """R (d+1, r+1): the left end mirrored, τ → 1 - τ, so odd derivatives change sign."""
+        sign = (-1.0) ** np.arange(self.continuity + 1)
+        return self._padded(hermite_matrix(self.degree, self.continuity + 1) * sign)[::-1]
+
+    def _padded(self, block: Array) -> Array:
+        below = np.zeros((self.degree + 1 - len(block), block.shape[1]))
+        return np.concatenate([block, below])
+
+    def control(self, left: ArrayLike, free: ArrayLike, right: ArrayLike) -> Array:
+        """Control points (d+1,) from the derivatives at both ends (r+1,) and the free ones."""
+        parts = ((self.from_left, left), (self.from_free, free), (self.from_right, right))
+        return np.array(sum(matrix @ np.asarray(part, dtype=float) for matrix, part in parts))
+
+    def easing(self, control: ArrayLike) -> Easing:
+        """The easing with these control points; its ends are exactly 0 and 1."""
+        exact = np.array(control, dtype=float)
+        exact[0], exact[-1] = 0.0, 1.0
+        return Easing.single(exact)
+
+    def values(self, tau: ArrayLike, order: int) -> Array:
+        """Matrix (m, d+1) that takes control points to the k-th derivative at the points τ (m,)."""
+        return basis_matrix(self.degree, tau, order)
+
+    def points(self, order: int) -> Array:
+        """Points in (0, 1) at which to demand a limit first: Chebyshev's, where extrema crowd at the ends.
+
+        One more than the k-th derivative has extrema, so that it cannot hide between all of them.
+        """
+        count = 2 * (self.degree - order) + 3
+        return (1 - np.cos(np.pi * np.arange(count) / (count - 1))) / 2
+
+    def free_of(self, easing: Easing) -> Array:
+        """The solver's variables x of a polynomial easing of at most this degree."""
+        left, right = ([float(easing(end, i)) for i in range(self.continuity + 1)] for end in (0.0, 1.0))
+        rest = elevate(easing.pieces[0], self.degree) - self.from_left @ left - self.from_right @ right
+        return np.array(self._triangle @ rest[self._inner])
