@@ -1,0 +1,131 @@
+"""The certificate of a law, and its comparison with one that was recorded."""
+
+import hashlib
+import json
+from dataclasses import dataclass
+from typing import Any
+
+from timelaw.certificate.continuity import Continuity, continuity
+from timelaw.certificate.geometry_check import GeometryCheck, check_geometry
+from timelaw.certificate.limit_check import LimitCheck, check_limits
+from timelaw.motion import QuaternionLaw
+from timelaw.motion.document import to_document
+
+RECORD_TOLERANCE = 1e-9  # relative; other machines round the same sums a little differently
+
+
+@dataclass(frozen=True)
+class Certificate:
+    """What is proved of one law. It holds if every limit and every geometric check does."""
+
+    limits: tuple[LimitCheck, ...]
+    geometry: tuple[GeometryCheck, ...]
+    continuity: Continuity
+    duration: float
+    digest: str
+
+    @property
+    def holds(self) -> bool:
+        """Whether nothing was found."""
+        return not self.findings()
+
+    def findings(self) -> list[str]:
+        """What is wrong with the law, one sentence each."""
+        found = [
+            f"{c.limit} reaches {c.peak:.9g} {c.unit} in {c.segment} at t = {c.time:.6f} s, "
+            f"{-c.margin:.3%} over the limit of {c.bound:.9g} {c.unit}"
+            for c in self.limits
+            if not c.holds
+        ]
+        found += [
+            f"{g.check}: off by {g.worst:.3g} at {g.where}, {g.tolerance:.1g} is tolerated"
+            for g in self.geometry
+            if not g.holds
+        ]
+        return found
+
+    def to_dict(self) -> dict[str, Any]:
+        """As the law file has it."""
+        return {
+            "holds": self.holds,
+            "limits": [
+                {
+                    "limit": c.limit,
+                    "bound": c.bound,
+                    "peak": c.peak,
+                    "upper": c.upper,
+                    "time": c.time,
+                    "segment": c.segment,
+                    "margin": c.margin,
+                    "holds": c.holds,
+                }
+                for c in self.limits
+            ],
+            "checks": [
+                {"check": g.check, "worst": g.worst, "tolerance": g.tolerance, "holds": g.holds}
+                for g in self.geometry
+            ],
+            "continuity": self.continuity.order,
+            "continuity_inside_segments": self.continuity.inside,
+            "digest": self.digest,
+        }
+
+
+def certify(law: QuaternionLaw) -> Certificate:
+    """Prove what can be proved of a law from its own numbers; nothing is sampled."""
+    return Certificate(
+        check_limits(law), check_geometry(law), continuity(law), law.duration, digest(to_document(law))
+    )
+
+
+def digest(document: dict[str, Any]) -> str:
+    """SHA-256 over the motion as the law file defines it, every number as the double it is."""
+    text = json.dumps(_as_doubles(document), sort_keys=True, separators=(",", ":"))
+    return "sha256:" + hashlib.sha256(text.encode()).hexdigest()
+
+
+def compare_with_record(certificate: Certificate, document: dict[str, Any]) -> list[str]:
+    """Where a law file says other things of itself than its motion shows, one sentence each."""
+    found = []
+    recorded = document.get("certificate")
+    if not _close(document.get("duration"), certificate.duration):
+        given = document.get("duration")
+        found.append(f"the file gives a duration of {given} s, its segments take {certificate.duration} s")
+    nodes = [node.to_dict() for node in certificate.continuity.nodes]
+    if "nodes" in document and not _close(document["nodes"], nodes):
+        found.append("the nodes recorded in the file are not those of its motion")
+    if not isinstance(recorded, dict):
+        return found
+    known = {k: v for k, v in certificate.to_dict().items() if k not in ("digest", "checks", "holds")}
+    for key, value in known.items():
+        if key in recorded and not _close(recorded[key], value):
+            found.append(f'the recorded certificate says otherwise about "{key}"')
+    if recorded.get("digest") != certificate.digest:
+        found.append("the motion was altered after it was certified: its digest is another")
+    return found
+
+
+def _close(recorded: Any, value: Any) -> bool:
+    """Equal as far as the record goes, with numbers equal up to rounding."""
+    if isinstance(value, dict):
+        return isinstance(recorded, dict) and all(
+            _close(recorded[k], v) for k, v in value.items() if k in recorded
+        )
+    if isinstance(value, list):
+        return (
+            isinstance(recorded, list)
+            and len(recorded) == len(value)
+            and all(_close(r, v) for r, v in zip(recorded, value, strict=True))
+        )
+    if isinstance(value, float) and isinstance(recorded, int | float) and not isinstance(recorded, bool):
+        return abs(recorded - value) <= RECORD_TOLERANCE * max(abs(value), abs(recorded), 1.0)
+    return bool(recorded == value)
+
+
+def _as_doubles(data: Any) -> Any:
+    """Every number as a float, so that 1 and 1.0 are the same."""
+    if isinstance(data, dict):
+        return {k: _as_doubles(v) for k, v in data.items()}
+    if isinstance(data, list):
+        return [_as_doubles(v) for v in data]
+    return float(data) if isinstance(data, int) and not isinstance(data, bool) else data
