@@ -10,8 +10,8 @@ about the unit axis n, and its easing s = f(τ), τ = (t - t_k)/T_k, gives
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from timelaw.design import Design as Design
-    from timelaw.design import design as design
+    from timelaw.pipeline import Design as Design
+    from timelaw.pipeline import design as design
 
 __version__ = "0.1.0"
 __all__ = ["Design", "__version__", "design"]
@@ -20,7 +20,7 @@ __all__ = ["Design", "__version__", "design"]
 def __getattr__(name: str) -> Any:
     """Load the pipeline on first use, so that `timelaw --help` starts without it."""
     if name in ("design", "Design"):
-        import timelaw.design as pipeline
+        import timelaw.pipeline as pipeline
 
         return getattr(pipeline, name)
     raise AttributeError(f"module 'timelaw' has no attribute {name!r}")

@@ -4,4 +4,6 @@ from timelaw.easing.easing import Easing, Timing
 from timelaw.easing.polynomial import PolynomialBasis
 from timelaw.easing.stretch import fit_to_limits, utilisation
 
-__all__ = ["Easing", "PolynomialBasis", "Timing", "fit_to_limits", "utilisation"]
+BASES = {"polynomial": PolynomialBasis}
+
+__all__ = ["BASES", "Easing", "PolynomialBasis", "Timing", "fit_to_limits", "utilisation"]

@@ -103,6 +103,12 @@ def run_timings(angles: Sequence[float], w: float, a: float, j: float) -> tuple[
     return (*timings, _timing(phases, start, angles[-1]))
 
 
+def bounds(limits: Sequence[Rate]) -> tuple[float, float, float]:
+    """Velocity, acceleration and jerk limits, inf for one that is not there."""
+    w, a, j = (next((limit.bound for limit in limits if limit.order == k), inf) for k in (1, 2, 3))
+    return w, a, j
+
+
 def fitted_run_timings(angles: Sequence[float], limits: Sequence[Rate]) -> tuple[Timing, ...]:
     """The profile over a run as it can be written in control points, within the limits for certain.
 
@@ -110,7 +116,7 @@ def fitted_run_timings(angles: Sequence[float], limits: Sequence[Rate]) -> tuple
     some 1e-15/h³: where a jerk phase, or what a node cuts off from one, is very short, the exact
     stretch costs time. Then a slightly slower profile that moves the phases is faster as written.
     """
-    w, a, j = (next((limit.bound for limit in limits if limit.order == k), inf) for k in (1, 2, 3))
+    w, a, j = bounds(limits)
     ideal = least_time(float(sum(angles)), w, a, j)
     best: tuple[Timing, ...] = ()
     least = inf

@@ -52,7 +52,7 @@ class Easing:
 
     def derivative(self, order: int) -> list[tuple[Array, float]]:
         """Control points of d^k f/dτ^k on each interval, with a bound on their rounding errors."""
-        widths = np.diff(self.breaks)
+        widths: list[float] = np.diff(self.breaks).tolist()
         return [
             (differentiate(piece, order) / width**order, derivative_rounding(piece, order) / width**order)
             for piece, width in zip(self.pieces, widths, strict=True)

@@ -25,7 +25,7 @@ def optimise(
     limits: tuple[Rate, ...],
     basis: PolynomialBasis,
     objective: str = "time",
-    progress: Callable[[int, int], None] | None = None,
+    progress: Callable[[str, int, int], None] | None = None,
 ) -> Optimised:
     """Least-time solutions of all runs; `progress` hears of distinct runs solved, and how many there are."""
     runs = route.runs
@@ -34,7 +34,7 @@ def optimise(
     solutions = []
     for index, key in enumerate(distinct):
         if progress is not None:
-            progress(index, len(distinct))
+            progress("solving distinct runs", index, len(distinct))
         problem = RunProblem(runs[keys.index(key)].angles, limits, basis, objective)
         solutions.append(solve_run(problem))
     return Optimised(tuple(solutions), tuple(distinct.index(key) for key in keys))

@@ -1,10 +1,9 @@
 """The laws every optimised law is measured by: the paper's quintic and the double-S profile."""
 
-from collections.abc import Sequence
-from math import inf
+from collections.abc import Callable, Sequence
 
 from timelaw.easing import Timing, fit_to_limits, smoothstep
-from timelaw.easing.double_s import fitted_run_timings, least_time
+from timelaw.easing.double_s import bounds, fitted_run_timings, least_time
 from timelaw.limits import Rate
 from timelaw.route import Route
 from timelaw.time_law.time_law import TimeLaw
@@ -30,8 +29,24 @@ def double_s(route: Route, limits: Sequence[Rate], *, stop: bool = False) -> Tim
     return TimeLaw(name, tuple(timing for angles in chains for timing in known[angles]))
 
 
+def _double_s(route: Route, limits: Sequence[Rate]) -> tuple[TimeLaw, ...]:
+    """Over the runs, and where a run has more than one leg, stopping at every node too."""
+    through = (double_s(route, limits),)
+    return (*through, double_s(route, limits, stop=True)) if route.straight_nodes else through
+
+
+BASELINES: dict[str, Callable[[Route, Sequence[Rate]], tuple[TimeLaw, ...]]] = {
+    "quintic": lambda route, limits: (quintic(route, limits),),
+    "double-s": _double_s,
+}
+
+
 def physical_limit(route: Route, limits: Sequence[Rate], *, stop: bool = False) -> float:
     """Least time [s] of any law on this route, in closed form: Σ over runs (or legs) of the double-S."""
-    w, a, j = (next((limit.bound for limit in limits if limit.order == k), inf) for k in (1, 2, 3))
     totals = [leg.angle for leg in route.legs] if stop else [sum(run.angles) for run in route.runs]
-    return sum(least_time(total, w, a, j) for total in totals)
+    return sum(run_limit(total, limits) for total in totals)
+
+
+def run_limit(angle: float, limits: Sequence[Rate]) -> float:
+    """Least time [s] over `angle` from rest to rest, in closed form."""
+    return least_time(angle, *bounds(limits))

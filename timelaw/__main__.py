@@ -1,0 +1,5 @@
+"""`python -m timelaw`."""
+
+from timelaw.cli import main
+
+main()

@@ -1,0 +1,64 @@
+"""What the commands print: one JSON object on stdout if asked, all human text on stderr."""
+
+import json
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any
+
+from timelaw.errors import TimelawError
+
+UNBOUNDED = 1000  # columns where no terminal sets the width
+
+
+def print_json(data: dict[str, Any]) -> None:
+    """One object on stdout."""
+    print(json.dumps(data, indent=1, ensure_ascii=False, allow_nan=False))
+
+
+def error_object(error: TimelawError, code: int) -> dict[str, Any]:
+    """What `--json` prints of an error."""
+    faults = [
+        {"message": f.message, "where": f.where, "path": f.path, "line": f.line, "column": f.column}
+        for f in error.faults
+    ]
+    return {"ok": False, "exit_code": code, "errors": faults}
+
+
+@contextmanager
+def progress() -> Iterator[Callable[[str, int, int], None] | None]:
+    """Report (stage, done, of) on stderr, on a terminal only."""
+    if not sys.stderr.isatty():
+        yield None
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
+
+    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn())
+    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
+        task = bar.add_task("reading", total=None)
+
+        def report(stage: str, done: int, of: int) -> None:
+            bar.update(task, description=stage, completed=done, total=of)
+
+        yield report
+
+
+def print_table(headings: list[str], rows: list[list[str]]) -> None:
+    """A table on stderr: the first column to the left, numbers to the right."""
+    from rich import box
+    from rich.console import Console
+    from rich.table import Table
+
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 1))
+    for index, heading in enumerate(headings):
+        table.add_column(heading, justify="right" if index else "left", no_wrap=True)
+    for row in rows:
+        table.add_row(*row)
+    width = None if sys.stderr.isatty() else UNBOUNDED
+    Console(stderr=True, highlight=False, width=width).print(table)
+
+
+def say(text: str) -> None:
+    """A line on stderr."""
+    print(text, file=sys.stderr)

@@ -1,0 +1,91 @@
+"""`timelaw design`: design, write the files, say how it went."""
+
+import hashlib
+from pathlib import Path
+from typing import Any
+
+from timelaw.cli.console import print_json, print_table, progress, say
+from timelaw.errors import EXIT_DONE, EXIT_FINDINGS
+from timelaw.export import law_json, samples_csv
+from timelaw.export.atomic import write_text
+from timelaw.pipeline import Design, design
+from timelaw.report import LawRow, law_rows, report_files
+
+RESULTS = Path("results")
+
+
+def run(problem: str, output: str | None, *, as_json: bool) -> int:
+    """Design the law of a problem file and write its results; returns the exit code."""
+    path = Path(problem)
+    with progress() as report:
+        done = design(path, report)
+        folder = Path(output) if output is not None else RESULTS / done.problem.name
+        files = _files(done, path)
+        for name, text in files.items():
+            write_text(folder / name, text)
+    rows = law_rows(done)
+    certificate = done.optimised.certificate
+    _print(done, rows, folder)
+    code = EXIT_DONE if certificate.holds else EXIT_FINDINGS
+    if as_json:
+        print_json(
+            {
+                "ok": code == EXIT_DONE,
+                "exit_code": code,
+                "name": done.problem.name,
+                "files": [str(folder / name) for name in files],
+                "laws": [row.to_dict() for row in rows],
+                "certificate": certificate.to_dict(),
+                "findings": certificate.findings(),
+            }
+        )
+    return code
+
+
+def _files(done: Design, path: Path) -> dict[str, str]:
+    """Texts by file name; the law file comes first."""
+    digest = "sha256:" + hashlib.sha256(path.read_bytes()).hexdigest()
+    provenance: dict[str, Any] = {
+        "problem": path.name,
+        "problem_digest": digest,
+        "solver": [
+            {"status": s.status.value, "rounds": s.rounds, "iterations": s.iterations, "gap": s.gap}
+            for s in done.solution.solutions
+        ],
+    }
+    law = done.optimised.law
+    return {
+        "law.json": law_json(law, done.optimised.certificate, provenance),
+        "samples.csv": samples_csv(law, done.problem.output.rate),
+        **report_files(done, digest),
+    }
+
+
+def _short(limit: str) -> str:
+    """A column heading that leaves the table within 80 columns."""
+    return limit if len(limit) <= 8 else f"{limit[:5]}."
+
+
+def _print(done: Design, rows: list[LawRow], folder: Path) -> None:
+    limits = [limit.name for limit in done.limits]
+    print_table(
+        ["law", "time [s]", "to quintic", "to limit", *map(_short, limits), "class"],
+        [
+            [
+                row.name,
+                f"{row.duration:.4f}",
+                f"{row.to_quintic:.4f}",
+                f"{row.to_limit:.4f}",
+                *(f"{row.peaks[name]:.4f}" for name in limits),
+                f"C{row.continuity}",
+            ]
+            for row in rows
+        ],
+    )
+    for finding in done.optimised.certificate.findings():
+        say(f"finding: {finding}")
+    for status in sorted({s.status.value for s in done.solution.solutions}):
+        say(f"runs: {status}")
+    say(f"{', '.join(limits)}: proved peak over limit")
+    verdict = "certified: all limits hold for all t" if rows[0].holds else "NOT certified"
+    say(f"{verdict}; report: {folder / 'report.html'}")

@@ -1,0 +1,73 @@
+"""Entry point: every way to end has its exit code, and with --json its object on stdout."""
+
+import sys
+from typing import NoReturn
+
+import click
+
+from timelaw import __version__
+from timelaw.cli.console import error_object, print_json
+from timelaw.errors import EXIT_BAD_INPUT, EXIT_INTERRUPTED, Fault, TimelawError
+
+EXIT_CODES = """\b
+Exit codes: 0 done and certified · 1 findings (a limit is broken, a node is missed)
+2 the command line or a file is wrong · 3 no solution · 130 interrupted"""
+
+
+@click.group(
+    epilog=EXIT_CODES, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100}
+)
+@click.version_option(__version__, "--version", prog_name="timelaw")
+def timelaw() -> None:
+    """Time laws for a rigid body that visits a set of orientations: optimised, certified, reported."""
+
+
+@timelaw.command()
+@click.argument("problem", type=click.Path())
+@click.option("-o", "--output", type=click.Path(), help="Folder for the results  [default: results/<name>]")
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON object on stdout.")
+def design(problem: str, output: str | None, as_json: bool) -> int:
+    """Design the law of a PROBLEM file: law.json, samples.csv, report.html and its figures."""
+    from timelaw.cli.design import run
+
+    return run(problem, output, as_json=as_json)
+
+
+@timelaw.command()
+@click.argument("law", type=click.Path())
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON object on stdout.")
+def verify(law: str, as_json: bool) -> int:
+    """Prove the limits and nodes of a LAW file from that file alone."""
+    from timelaw.cli.verify import run
+
+    return run(law, as_json=as_json)
+
+
+def main() -> NoReturn:
+    """Run the command line and leave with its exit code."""
+    sys.exit(_run(sys.argv[1:]))
+
+
+def _run(arguments: list[str]) -> int:
+    try:
+        code = timelaw.main(arguments, prog_name="timelaw", standalone_mode=False)
+    except TimelawError as error:
+        return _failed(arguments, error)
+    except click.UsageError as error:
+        place = error.ctx.command_path if error.ctx else "timelaw"
+        message = f"{error.format_message()} Try '{place} --help'."
+        return _failed(arguments, TimelawError(Fault(message, place)), EXIT_BAD_INPUT)
+    except click.ClickException as error:
+        return _failed(arguments, TimelawError(error.format_message()), EXIT_BAD_INPUT)
+    except (click.Abort, KeyboardInterrupt):
+        return _failed(arguments, TimelawError("interrupted"), EXIT_INTERRUPTED)
+    return code if isinstance(code, int) else 0
+
+
+def _failed(arguments: list[str], error: TimelawError, code: int | None = None) -> int:
+    code = error.exit_code if code is None else code
+    for fault in error.faults:
+        click.echo(f"timelaw: {fault}", err=True)
+    if "--json" in arguments:
+        print_json(error_object(error, code))
+    return code

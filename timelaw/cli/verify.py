@@ -1,0 +1,50 @@
+"""`timelaw verify`: prove a law again from its file alone, and compare with what the file says."""
+
+from pathlib import Path
+
+from timelaw.certificate import certify
+from timelaw.certificate.certificate import compare_with_record
+from timelaw.cli.console import print_json, print_table, say
+from timelaw.errors import EXIT_DONE, EXIT_FINDINGS
+from timelaw.motion.law_file import read_law
+
+
+def run(path: str, *, as_json: bool) -> int:
+    """Verify the law file at `path`; returns the exit code."""
+    law, document = read_law(Path(path))
+    certificate = certify(law)
+    findings = [*certificate.findings(), *compare_with_record(certificate, document)]
+    code = EXIT_FINDINGS if findings else EXIT_DONE
+    print_table(
+        ["limit", "bound", "proved peak", "at t [s]", "on leg", "margin", "holds"],
+        [
+            [
+                c.limit,
+                f"{c.bound:.9g} {c.unit}",
+                f"{c.upper:.9g}",
+                f"{c.time:.6f}",
+                c.segment,
+                f"{c.margin:.2e}",
+                "yes" if c.holds else "NO",
+            ]
+            for c in certificate.limits
+        ],
+    )
+    for finding in findings:
+        say(f"finding: {finding}")
+    say(
+        f"{law.name}: {certificate.duration:.6f} s, {len(law.segments)} segments, "
+        f"C{certificate.continuity.order}, " + ("certified" if not findings else "NOT certified")
+    )
+    if as_json:
+        print_json(
+            {
+                "ok": code == EXIT_DONE,
+                "exit_code": code,
+                "name": law.name,
+                "duration": certificate.duration,
+                "certificate": certificate.to_dict(),
+                "findings": findings,
+            }
+        )
+    return code

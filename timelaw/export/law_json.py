@@ -1,0 +1,47 @@
+"""`law.json`: the motion, its nodes and its certificate; the file alone is enough to verify it."""
+
+import json
+import platform
+from importlib.metadata import version
+from typing import Any
+
+from timelaw import __version__
+from timelaw.certificate import Certificate
+from timelaw.motion import QuaternionLaw
+from timelaw.motion.document import to_document
+
+SOLVER_PACKAGES = ("casadi", "numpy")
+
+
+def law_json(law: QuaternionLaw, certificate: Certificate, provenance: dict[str, Any]) -> str:
+    """The text of the law file. Python writes each double with the digits that read back bit for bit."""
+    motion = to_document(law)
+    document = {
+        **{k: motion[k] for k in ("format", "version", "name")},
+        "timelaw": __version__,
+        **{k: v for k, v in motion.items() if k not in ("format", "version", "name")},
+        "nodes": [node.to_dict() for node in certificate.continuity.nodes],
+        "certificate": certificate.to_dict(),
+        "provenance": {**provenance, **versions()},
+    }
+    return _layout(document) + "\n"
+
+
+def versions() -> dict[str, Any]:
+    """Versions of what computed the law."""
+    packages = {name: version(name) for name in SOLVER_PACKAGES}
+    return {"versions": {"timelaw": __version__, "python": platform.python_version(), **packages}}
+
+
+def _layout(document: dict[str, Any]) -> str:
+    """One line per key, and one per entry of a list of objects: small, and readable in a diff."""
+    lines = []
+    for key, value in document.items():
+        if isinstance(value, list):
+            entries = ",\n".join(
+                "  " + json.dumps(entry, ensure_ascii=False, allow_nan=False) for entry in value
+            )
+            lines.append(f' "{key}": [\n{entries}\n ]')
+        else:
+            lines.append(f' "{key}": {json.dumps(value, ensure_ascii=False, allow_nan=False)}')
+    return "{\n" + ",\n".join(lines) + "\n}"

@@ -1,0 +1,72 @@
+"""The whole program in one function: from a problem file to a certified law beside its baselines."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from timelaw.certificate import Certificate, certify
+from timelaw.easing import BASES
+from timelaw.limits import Rate, limits_of
+from timelaw.motion import QuaternionLaw, compose
+from timelaw.nlp import Optimised, optimise
+from timelaw.orientations import OrientationSet, orientations
+from timelaw.problem import Problem, load
+from timelaw.route import Route, route
+from timelaw.time_law import BASELINES, TimeLaw, optimised
+from timelaw.tours import Tour, tour
+
+Progress = Callable[[str, int, int], None]
+
+
+@dataclass(frozen=True)
+class Certified:
+    """A law with its certificate."""
+
+    name: str
+    law: QuaternionLaw
+    certificate: Certificate
+
+
+@dataclass(frozen=True)
+class Design:
+    """All that came of a problem: everything the report shows and the files hold."""
+
+    path: Path
+    problem: Problem
+    orientations: OrientationSet
+    tour: Tour
+    route: Route
+    limits: tuple[Rate, ...]
+    solution: Optimised
+    optimised: Certified
+    baselines: tuple[Certified, ...]
+
+    @property
+    def laws(self) -> tuple[Certified, ...]:
+        """The optimised law, then the baselines."""
+        return (self.optimised, *self.baselines)
+
+
+def design(path: str | Path, progress: Progress | None = None) -> Design:
+    """Read a problem file and design its law.
+
+    Raises:
+        InputError: the problem file, or a table it names, is wrong.
+        InfeasibleError: no law was found.
+    """
+    problem = load(path := Path(path))
+    points = orientations(problem.route.orientations, path.parent)
+    order = tour(problem.route, points)
+    way = route(points, order)
+    limits = limits_of(problem.limits.given())
+    basis = BASES[problem.easing.basis](problem.easing.degree, problem.nodes.continuity)
+    solution = optimise(way, limits, basis, problem.objective, progress)
+    law = _certified(problem, way, optimised(solution))
+    baselines = [b for name in problem.baselines for b in BASELINES[name](way, limits)]
+    beside = tuple(_certified(problem, way, time_law) for time_law in baselines)
+    return Design(path, problem, points, order, way, limits, solution, law, beside)
+
+
+def _certified(problem: Problem, way: Route, time_law: TimeLaw) -> Certified:
+    law = compose(problem.name, way, time_law, problem.limits.given())
+    return Certified(time_law.name, law, certify(law))

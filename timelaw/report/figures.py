@@ -1,0 +1,145 @@
+"""The pictures of the report, as SVG texts. Matplotlib is imported here only, and only when one is drawn."""
+
+import io
+from typing import Any
+
+import numpy as np
+
+from timelaw.motion import QuaternionLaw
+from timelaw.pipeline import Design
+from timelaw.report.curves import rate_curve
+
+OPTIMISED, QUINTIC, LIMIT, NODE = "#0b5fa5", "#9b9b9b", "#b3261e", "#c9c9c9"
+MAX_LEGS = 24  # more legs than this would be a solid band; the first of them are drawn
+MAX_LABELS = 30
+RATE_NAMES = {1: "|ω|", 2: "|α|", 3: "|jerk|"}
+UNITS = {1: "deg/s", 2: "deg/s²", 3: "deg/s³"}
+STYLE: dict[Any, Any] = {
+    "font.family": "DejaVu Sans",
+    "font.size": 9,
+    "svg.fonttype": "path",
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.linewidth": 0.6,
+    "lines.solid_joinstyle": "round",
+    "legend.frameon": False,
+}
+
+
+def figures(design: Design) -> dict[str, str]:
+    """SVG texts by file name."""
+    import matplotlib as mpl
+
+    with mpl.rc_context(STYLE):
+        return {"rates.svg": _rates(design), "easings.svg": _easings(design)}
+
+
+def _rates(design: Design) -> str:
+    """|ω|, |α|, |jerk| over time, the optimised law over the grey quintic, with limits and nodes."""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(9.4, 6.4), layout="constrained")
+    axes: Any = figure.subplots(3, 1, sharex=True)
+    law = design.optimised.law
+    grey = next((b.law for b in design.baselines if b.name == "quintic"), None)
+    for order, ax in zip((1, 2, 3), axes, strict=True):
+        ax.set_ylabel(f"{RATE_NAMES[order]}  [{UNITS[order]}]")
+        if grey is not None:
+            _curve(ax, grey, order, QUINTIC, 1.1, f"quintic, {grey.duration:.6g} s")
+        _curve(ax, law, order, OPTIMISED, 1.5, f"optimised, {law.duration:.6g} s")
+        _limit(ax, design, order)
+        _nodes(ax, design)
+        ax.set_ylim(bottom=0)
+        ax.margins(x=0.005)
+    end = max(curve.segments[:MAX_LEGS][-1].end_time for curve in (law, grey or law))
+    axes[0].set_xlim(-0.005 * end, 1.005 * end)
+    axes[2].set_xlabel("time [s]" + _excerpt(law))
+    axes[0].legend(loc="lower left", bbox_to_anchor=(0, 1.12), ncols=3, borderaxespad=0)
+    _labels(axes[0], design)
+    return _svg(figure, "rates")
+
+
+def _excerpt(law: QuaternionLaw) -> str:
+    count = len(law.segments)
+    return f", the first {MAX_LEGS} of {count} legs" if count > MAX_LEGS else ""
+
+
+def _curve(ax: Any, law: QuaternionLaw, order: int, colour: str, width: float, label: str) -> None:
+    times, values = rate_curve(law.segments[:MAX_LEGS], order)
+    ax.plot(times, np.degrees(values), color=colour, linewidth=width, label=label)
+
+
+def _limit(ax: Any, design: Design, order: int) -> None:
+    for limit in design.limits:
+        if limit.order == order:
+            ax.axhline(
+                np.degrees(limit.bound), color=LIMIT, linewidth=1, linestyle=(0, (5, 3)), label="limit"
+            )
+
+
+def _nodes(ax: Any, design: Design) -> None:
+    for node in design.optimised.certificate.continuity.nodes[: MAX_LEGS + 1]:
+        dotted = node.kind == "straight"
+        ax.axvline(node.time, color=NODE, linewidth=0.7, linestyle=":" if dotted else "-", zorder=0)
+
+
+def _labels(ax: Any, design: Design) -> None:
+    """Node labels above the first panel; a dot marks the nodes passed at speed."""
+    for node in design.optimised.certificate.continuity.nodes[: MAX_LEGS + 1][:MAX_LABELS]:
+        text = f"·{node.label}·" if node.kind == "straight" else node.label
+        ax.annotate(
+            text,
+            (node.time, 1),
+            xycoords=("data", "axes fraction"),
+            xytext=(0, 3),
+            textcoords="offset points",
+            ha="center",
+            fontsize=7.5,
+            color="#555555",
+        )
+
+
+def _easings(design: Design) -> str:
+    """The distinct easings f(τ) and f'(τ) over the smoothstep, and the durations of the segments."""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(9.4, 3.1), layout="constrained")
+    axes: Any = figure.subplots(1, 3, width_ratios=(1, 1, 1.5))
+    tau = np.linspace(0.0, 1.0, 201)
+    segments = design.optimised.law.segments
+    for ax, order, title in ((axes[0], 0, "easing f(τ)"), (axes[1], 1, "its slope f′(τ)")):
+        grey = next((b.law.segments[0].easing for b in design.baselines if b.name == "quintic"), None)
+        if grey is not None:
+            ax.plot(tau, grey(tau, order), color=QUINTIC, linewidth=1.1)
+        for key in dict.fromkeys(s.easing.pieces[0].tobytes() for s in segments):
+            easing = next(s.easing for s in segments if s.easing.pieces[0].tobytes() == key)
+            ax.plot(tau, easing(tau, order), color=OPTIMISED, linewidth=1.2, alpha=0.75)
+        ax.set_title(title, fontsize=9)
+        ax.set_xlabel("τ")
+    _durations(axes[2], design)
+    return _svg(figure, "easings")
+
+
+def _durations(ax: Any, design: Design) -> None:
+    count = min(len(design.route.legs), MAX_LEGS)
+    place = np.arange(count)
+    for entry, colour, width in ((design.baselines[:1], QUINTIC, 0.8), ((design.optimised,), OPTIMISED, 0.5)):
+        for certified in entry:
+            if certified.name in ("quintic", "optimised"):
+                heights = [s.duration for s in certified.law.segments[:count]]
+                ax.bar(place, heights, width=width, color=colour)
+    names = [leg.name for leg in design.route.legs[:count]]
+    ax.set_xticks(place, names, rotation=90, fontsize=7)
+    ax.set_title("duration of each leg [s]" + _excerpt(design.optimised.law), fontsize=9)
+
+
+def _svg(figure: Any, salt: str) -> str:
+    """The figure as SVG, the same text for the same figure."""
+    import matplotlib as mpl
+    from matplotlib.backends.backend_svg import FigureCanvasSVG
+
+    text = io.StringIO()
+    with mpl.rc_context({"svg.hashsalt": salt}):
+        canvas: Any = FigureCanvasSVG(figure)
+        canvas.print_svg(text, metadata={"Date": None, "Creator": "timelaw"})
+    return text.getvalue()

@@ -1,0 +1,75 @@
+"""`report.html`: one self-contained page, and the figures it shows as files of their own."""
+
+import platform
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
+from markupsafe import Markup
+
+from timelaw import __version__
+from timelaw.certificate import NodeReport
+from timelaw.certificate.certificate import RECORD_TOLERANCE
+from timelaw.certificate.continuity import JUMP_TOLERANCE
+from timelaw.nlp.exchange import GAP
+from timelaw.pipeline import Design
+from timelaw.report.figures import figures
+from timelaw.report.summary import law_rows, run_rows
+from timelaw.time_law import physical_limit
+
+PACKAGES = ("casadi", "numpy", "scipy", "matplotlib")
+RATES = (("omega", "ω", "deg/s"), ("alpha", "α", "deg/s²"), ("jerk", "jerk", "deg/s³"))
+
+
+def report_files(design: Design, digest: str) -> dict[str, str]:
+    """Texts by file name: report.html and its figures. `digest` is that of the problem file."""
+    pictures = figures(design)
+    page = _environment().get_template("report.html").render(_context(design, digest, pictures))
+    return {"report.html": page, **pictures}
+
+
+def _environment() -> Environment:
+    environment = Environment(
+        loader=PackageLoader("timelaw.report", "templates"),
+        autoescape=select_autoescape(["html"]),
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    environment.filters["deg"] = np.degrees
+    environment.filters["vector"] = _vector
+    return environment
+
+
+def _context(design: Design, digest: str, pictures: dict[str, str]) -> dict[str, Any]:
+    rows = law_rows(design)
+    return {
+        "design": design,
+        "problem": design.problem,
+        "tour": design.tour,
+        "route": design.route,
+        "rows": rows,
+        "best": rows[0],
+        "least": physical_limit(design.route, design.limits),
+        "runs": run_rows(design),
+        "kinds": [_kinds(entry.certificate.continuity.nodes) for entry in design.laws],
+        "rates": RATES,
+        "pictures": {name: Markup(text[text.index("<svg") :]) for name, text in pictures.items()},
+        "digest": digest,
+        "file": Path(design.path).name,
+        "versions": {"timelaw": __version__, "Python": platform.python_version()}
+        | {name: version(name) for name in PACKAGES},
+        "tolerances": {"jump": JUMP_TOLERANCE, "gap": GAP, "record": RECORD_TOLERANCE},
+    }
+
+
+def _kinds(nodes: tuple[NodeReport, ...]) -> dict[str, float]:
+    """The largest jump of each rate over all nodes of a law."""
+    return {name: max(node.jump[name] for node in nodes) for name, _, _ in RATES}
+
+
+def _vector(components: Any) -> str:
+    """Three components in degrees, aligned, with a true minus sign."""
+    return ", ".join(f"{np.degrees(c) + 0.0:.4g}".replace("-", "−") for c in components)
