@@ -52,10 +52,14 @@ class NodeReport:
 
 @dataclass(frozen=True)
 class Continuity:
-    """All nodes, the class inside the segments, and the class of the whole motion."""
+    """All nodes, the class inside the segments, and the class of the whole motion.
+
+    `scales` are the largest |ω|, |α|, |jerk| of the motion, against which jumps are judged.
+    """
 
     nodes: tuple[NodeReport, ...]
     inside: int
+    scales: tuple[float, float, float]
 
     @property
     def order(self) -> int:
@@ -68,7 +72,7 @@ def continuity(law: QuaternionLaw) -> Continuity:
     scales = {k: _scale(law, k) for k in RATES}
     nodes = [_node(law, index, scales) for index in range(len(law.segments) + 1)]
     inside = min(_class(jumps, scales) for s in law.segments for jumps in _break_jumps(s))
-    return Continuity(tuple(nodes), inside)
+    return Continuity(tuple(nodes), inside, (scales[1], scales[2], scales[3]))
 
 
 def _node(law: QuaternionLaw, index: int, scales: Mapping[int, float]) -> NodeReport:

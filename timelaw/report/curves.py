@@ -10,7 +10,7 @@ from timelaw.numerics.bernstein import evaluate
 
 Array = NDArray[np.float64]
 
-POINTS_PER_DEGREE = 6
+POINTS_PER_DEGREE = 16
 
 
 def rate_curve(segments: Sequence[Arc], order: int) -> tuple[Array, Array]:

@@ -56,6 +56,10 @@ def _context(design: Design, digest: str, pictures: dict[str, str]) -> dict[str,
         "runs": run_rows(design),
         "kinds": [_kinds(entry.certificate.continuity.nodes) for entry in design.laws],
         "rates": RATES,
+        "scales": {
+            entry.name: dict(zip([r[0] for r in RATES], entry.certificate.continuity.scales, strict=True))
+            for entry in design.laws
+        },
         "pictures": {name: Markup(text[text.index("<svg") :]) for name, text in pictures.items()},
         "digest": digest,
         "file": Path(design.path).name,
@@ -70,6 +74,7 @@ def _kinds(nodes: tuple[NodeReport, ...]) -> dict[str, float]:
     return {name: max(node.jump[name] for node in nodes) for name, _, _ in RATES}
 
 
-def _vector(components: Any) -> str:
-    """Three components in degrees, aligned, with a true minus sign."""
-    return ", ".join(f"{np.degrees(c) + 0.0:.4g}".replace("-", "−") for c in components)
+def _vector(components: Any, scale: float) -> str:
+    """Three components in degrees with a true minus sign, 0 where they are rounding against `scale`."""
+    shown = [0.0 if abs(c) <= JUMP_TOLERANCE * scale else float(np.degrees(c)) for c in components]
+    return ", ".join(f"{c:.5g}".replace("-", "−") for c in shown)
