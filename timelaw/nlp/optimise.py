@@ -5,7 +5,6 @@ from dataclasses import dataclass, replace
 
 from timelaw.easing import PolynomialBasis, Timing, fit_to_limits, smoothstep
 from timelaw.limits import Rate
-from timelaw.nlp.exchange import solve_from
 from timelaw.nlp.run_problem import RunProblem, RunSolution, Status
 from timelaw.route import Route
 
@@ -46,6 +45,8 @@ def solve_run(problem: RunProblem) -> RunSolution:
     A solver's word is not taken: its law counts only if, stretched to hold the limits, it is at
     least as fast as the closed-form law, which the basis contains.
     """
+    from timelaw.nlp.exchange import solve_from  # loads CasADi, which `timelaw verify` has no need of
+
     r = problem.basis.continuity
     whole = fit_to_limits(
         problem.angles, smoothstep.run_timings(problem.angles, problem.limits, r), problem.limits

@@ -61,7 +61,8 @@ def _fault(source: Source, details: ErrorDetails) -> Fault:
     if kind == "missing":
         return source.fault(where[:-1], f'missing key "{where[-1]}"')
     if kind == "invalid_key":
-        return source.fault(where[:-1], f"the key {where[-1]} is not a text").at(source.keys.get(where))
+        named = (*where[:-1], str(where[-1]))
+        return source.fault(where[:-1], f"the key {where[-1]} is not a text").at(source.keys.get(named))
     if kind == "timelaw":
         return source.fault((*where, *context["where"]), details["msg"])
     return source.fault(where, f"{quoted(given)}; {_expectation(kind, given, context, details['msg'])}")

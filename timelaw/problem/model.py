@@ -28,6 +28,7 @@ TourName = Literal["paper", "shortest", "given"]
 Baseline = Literal["quintic", "double-s"]
 TOURS: tuple[str, ...] = get_args(TourName)
 MAX_DEGREE = 31
+LEAST, MOST = 1e-9, 1e9  # in SI; no body is that slow or fast, and cubes of times stay far from overflow
 NORM_TOLERANCE = 1e-3  # a quaternion typed with four digits still counts as a unit quaternion
 
 
@@ -43,11 +44,11 @@ def quoted(value: Any) -> str:
     return f'"{value}"' if isinstance(value, str) else f"{value}"
 
 
-def nearest(given: Any, allowed: Iterable[str]) -> str:
-    """The allowed values as a text, the likeliest one pointed out."""
+def nearest(given: Any, allowed: Iterable[str], *others: str) -> str:
+    """The allowed values as a text, the likeliest name pointed out."""
     names = list(allowed)
     close = get_close_matches(str(given), names, n=1, cutoff=0.6)
-    listing = ", ".join(names)
+    listing = ", ".join([*names, *others])
     return f'{listing}; did you mean "{close[0]}"?' if close else listing
 
 
@@ -59,8 +60,8 @@ def _quantity(kind: Kind) -> Callable[[Any], float]:
             number = parse_quantity(str(value), kind)
         except ValueError as error:
             raise fault(str(error)) from None
-        if not 0 < number < float("inf"):
-            raise fault(f'"{value}" must be greater than zero and finite')
+        if not LEAST <= number <= MOST:
+            raise fault(f'"{value}" is out of range; {LEAST:g} to {MOST:g} {kind.unit} are allowed')
         return number
 
     return check
@@ -79,7 +80,7 @@ def _tour(value: Any) -> Any:
     """A tour's name, or its labels as texts."""
     if not isinstance(value, list):
         if value not in TOURS:
-            raise fault(f"{quoted(value)}; allowed: {nearest(value, TOURS)}, or a list of labels")
+            raise fault(f"{quoted(value)}; allowed: {nearest(value, TOURS, 'or a list of labels')}")
         return value
     if len(value) < 2:
         raise fault("a tour needs at least two labels")

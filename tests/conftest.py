@@ -1,0 +1,51 @@
+"""What several tests need: reference designs (each made once) and random problems."""
+
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import settings
+
+from timelaw import design
+from timelaw.problem import parse
+
+PROBLEMS = Path(__file__).parent.parent / "problems"
+
+settings.register_profile("timelaw", deadline=None, derandomize=True, max_examples=50)
+settings.load_profile("timelaw")
+
+
+@cache
+def reference(name: str):
+    """The design of a reference problem file."""
+    return design(PROBLEMS / f"{name}.yaml")
+
+
+@pytest.fixture(scope="session")
+def paper():
+    return reference("paper-24-cell")
+
+
+def problem(text: str):
+    """A problem from the lines that matter to a test; limits and route have defaults."""
+    defaults = {
+        "timelaw:": "timelaw: 1",
+        "name:": "name: test",
+        "route:": "route: {orientations: {lattice: 24-cell}, tour: paper}",
+        "limits:": "limits: {velocity: 60 deg/s, acceleration: 120 deg/s^2, jerk: 600 deg/s^3}",
+    }
+    missing = [
+        line for key, line in defaults.items() if not any(part.startswith(key) for part in text.splitlines())
+    ]
+    return parse("\n".join([*missing, text]), "test.yaml")
+
+
+def random_limits(rng: np.random.Generator) -> dict[str, float]:
+    """Velocity, acceleration and jerk limits over six decades."""
+    return {name: float(10 ** rng.uniform(-3, 3)) for name in ("velocity", "acceleration", "jerk")}
+
+
+def unit_quaternions(rng: np.random.Generator, count: int) -> np.ndarray:
+    q = rng.normal(size=(count, 4))
+    return q / np.linalg.norm(q, axis=1, keepdims=True)

@@ -1,0 +1,111 @@
+"""Bernstein polynomials against NumPy's power and Chebyshev series and exact fractions."""
+
+from fractions import Fraction
+from itertools import pairwise
+from math import comb
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tests.oracles import extremum
+from timelaw.numerics import bernstein as bern
+from timelaw.numerics.extrema import peaks
+
+control_points = st.lists(st.floats(-10, 10), min_size=1, max_size=12).map(np.array)
+
+
+def to_power(control):
+    """Exact conversion to powers in fractions: Σ c_i C(n,i) u^i (1-u)^(n-i)."""
+    n = len(control) - 1
+    result = [Fraction(0)] * (n + 1)
+    for i, c in enumerate(control):
+        for j in range(n - i + 1):
+            result[i + j] += Fraction(float(c)) * comb(n, i) * comb(n - i, j) * (-1) ** j
+    return result
+
+
+def exact(control, u, order=0):
+    coefficients = to_power(control)
+    for _ in range(order):
+        coefficients = [k * c for k, c in enumerate(coefficients)][1:] or [Fraction(0)]
+    return float(sum(c * Fraction(u) ** k for k, c in enumerate(coefficients)))
+
+
+@given(control_points, st.floats(0, 1), st.integers(0, 4))
+def test_values_and_derivatives(control, u, order):
+    value = bern.evaluate(bern.differentiate(control, order), u)
+    n = len(control)
+    assert value == pytest.approx(exact(control, u, order), abs=1e-12 * 10 * max(n, 2) ** order)
+
+
+@given(control_points, st.floats(0, 1))
+def test_elevation_and_splitting_leave_the_polynomial_alone(control, u):
+    elevated = bern.elevate(control, len(control) + 3)
+    assert bern.evaluate(elevated, u) == pytest.approx(exact(control, u), abs=1e-12)
+    left, right = bern.split(control, 0.3)
+    assert bern.evaluate(left, u) == pytest.approx(exact(control, 0.3 * u), abs=1e-12)
+    assert bern.evaluate(right, u) == pytest.approx(exact(control, 0.3 + 0.7 * u), abs=1e-12)
+
+
+@given(control_points, st.integers(1, 3))
+def test_the_rounding_bound_covers_the_rounding(control, order):
+    bound = bern.derivative_rounding(control, order)
+    computed = bern.differentiate(control, order)
+    true = [Fraction(float(c)) for c in control]
+    for _ in range(order):
+        n = len(true) - 1
+        true = [n * (b - a) for a, b in pairwise(true)] or [Fraction(0)]
+    assert all(abs(Fraction(float(c)) - t) <= Fraction(bound) for c, t in zip(computed, true, strict=True))
+
+
+def test_the_rounding_bound_is_not_trivial():
+    assert 0 < bern.derivative_rounding(np.linspace(0, 1, 10) ** 2, 3) < 1e-11
+
+
+@pytest.mark.parametrize("degree", [5, 9, 31])
+def test_basis_and_hermite_matrices(degree):
+    rng = np.random.default_rng(degree)
+    control, tau = rng.normal(size=degree + 1), np.array([0.0, 0.1, 0.5, 1.0])
+    for order in range(4):
+        expected = [exact(control, t, order) for t in tau]
+        np.testing.assert_allclose(
+            bern.basis_matrix(degree, tau, order) @ control, expected, rtol=1e-10, atol=1e-7
+        )
+    derivatives = [exact(control, 0, i) for i in range(3)]
+    np.testing.assert_allclose(bern.hermite_matrix(degree, 3) @ derivatives, control[:3], rtol=1e-10)
+
+
+@given(control_points)
+def test_the_integral_of_the_square_is_exact(control):
+    terms = list(enumerate(to_power(control)))
+    integral = float(sum(a * b / (i + j + 1) for i, a in terms for j, b in terms))
+    assert bern.integral_of_square(control) == pytest.approx(integral, rel=1e-12, abs=1e-300)
+
+
+@given(st.lists(st.floats(-10, 10).map(lambda x: round(x, 3)), min_size=1, max_size=10).map(np.array))
+def test_peaks_enclose_the_extremum_that_the_roots_give(control):
+    peak = peaks([control])[0]
+    expected = extremum(np.array([float(c) for c in to_power(control)]))
+    assert peak.lower <= peak.upper <= peak.lower * (1 + 1e-12) + 1e-300
+    assert peak.lower == pytest.approx(expected, rel=1e-9, abs=1e-12)
+    assert abs(exact(control, peak.at)) == pytest.approx(peak.lower, rel=1e-12, abs=1e-12)
+
+
+def test_peaks_of_high_degree_ripples_and_of_many_at_once():
+    rng = np.random.default_rng(1)
+    stack = [rng.normal(size=n) for n in (1, 2, 4, 32, 32, 4, 1)]
+    for control, peak in zip(stack, peaks(stack), strict=True):
+        u = np.linspace(0, 1, 20001)
+        sampled = np.max(np.abs(bern.evaluate(control, u)))
+        assert sampled <= peak.upper
+        assert peak.lower == pytest.approx(sampled, rel=1e-5)
+
+
+def test_the_peak_of_a_basis_polynomial_is_where_calculus_puts_it():
+    control = np.zeros(32)
+    control[17] = 1.0  # b_17 of degree 31 peaks at 17/31
+    peak = peaks([control])[0]
+    assert peak.at == pytest.approx(17 / 31, abs=1e-6)
+    assert peak.lower == pytest.approx(comb(31, 17) * (17 / 31) ** 17 * (14 / 31) ** 14, rel=1e-12)

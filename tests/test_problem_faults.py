@@ -1,0 +1,126 @@
+"""Malformed problem files: every fault with its place, what was given and what is allowed."""
+
+import pytest
+
+from timelaw.errors import InputError
+from timelaw.problem import load, parse
+
+GOOD = """\
+timelaw: 1
+name: scan
+route:
+  orientations: {lattice: 24-cell}
+  tour: paper
+limits:
+  velocity: 60 deg/s
+"""
+KEYS = "timelaw, name, route, limits, nodes, easing, objective, baselines, output"
+LATTICES = "16-cell, tesseract, 24-cell, 600-cell, 120-cell"
+
+
+def replaced(old: str, new: str) -> str:
+    assert old in GOOD
+    return GOOD.replace(old, new)
+
+
+CASES = {
+    # Not YAML, or not a problem at all
+    "empty": ("", '1:1: an empty file; a problem file is a mapping that starts with "timelaw: 1"'),
+    "a list": ("[1, 2]", '1:1: a list; a problem file is a mapping that starts with "timelaw: 1"'),
+    "a word": ("hello", '1:1: a single value; a problem file is a mapping that starts with "timelaw: 1"'),
+    "unclosed": (GOOD + "nodes: {continuity: 2", "8:22: not readable as YAML: while parsing a flow mapping expected ',' or '}', but got '<stream end>'"),
+    "tab": (GOOD + "nodes:\n\tcontinuity: 2\n", "9:1: not readable as YAML: while scanning for the next token found character '\\t' that cannot start any token"),
+    "recursive alias": ("timelaw: &a [*a]", "1:10: not readable as YAML: an alias repeats the part it stands in"),
+    "undefined alias": ("timelaw: *a", "1:10: not readable as YAML: found undefined alias 'a'"),
+    "two documents": (GOOD + "---\na: 1\n", "8:1: not readable as YAML: expected a single document in the stream but found another document"),
+    # Keys
+    "duplicate key": (GOOD + "name: again\n", '8:1: duplicate key "name"'),
+    "duplicate limit": (GOOD + "  velocity: 1 deg/s\n", '8:3: duplicate key "velocity"'),
+    "unknown key": (GOOD + "limit: 3\n", f'8:1: unknown key "limit"; allowed: {KEYS}; did you mean "limits"?'),
+    "unknown limit": (GOOD + "  velocty: 3 deg/s\n", '8:3: limits: unknown key "velocty"; allowed: velocity, acceleration, jerk; did you mean "velocity"?'),
+    "unknown, nothing near": (GOOD + "  xyz: 3\n", '8:3: limits: unknown key "xyz"; allowed: velocity, acceleration, jerk'),
+    "a key that is no text": (GOOD + "1: 2\n", "8:1: the key 1 is not a text"),
+    "missing version": (replaced("timelaw: 1\n", ""), '1:1: missing key "timelaw"'),
+    "missing route": ("timelaw: 1\nname: a\nlimits: {jerk: 1 rad/s^3}\n", '1:1: missing key "route"'),
+    "missing orientations": (replaced("  orientations: {lattice: 24-cell}\n", ""), '4:3: route: missing key "orientations"'),
+    # Values
+    "version": (replaced("timelaw: 1", "timelaw: 2"), "1:10: timelaw: 2; this program reads problem files of version 1"),
+    "version as text": (replaced("timelaw: 1", 'timelaw: "1"'), '1:10: timelaw: "1"; this program reads problem files of version 1'),
+    "name with a slash": (replaced("scan", "../scan"), "2:7: name: \"../scan\"; letters, digits, '.', '_' and '-' are allowed, a letter or digit first"),
+    "name is a number": (replaced("scan", "24"), "2:7: name: 24; a text is needed"),
+    "lattice": (replaced("24-cell", "25-cell"), f'4:27: route.orientations.lattice: "25-cell"; allowed: {LATTICES}; did you mean "24-cell"?'),
+    "two sources": (replaced("24-cell}", "24-cell, file: a.csv}"), '4:17: route.orientations: give exactly one of "lattice", "file", "list"'),
+    "no source": (replaced("{lattice: 24-cell}", "{}"), '4:17: route.orientations: give exactly one of "lattice", "file", "list"'),
+    "orientations as text": (replaced("{lattice: 24-cell}", "24-cell"), '4:17: route.orientations: "24-cell"; a mapping of keys and values is needed'),
+    "short quaternion": (replaced("{lattice: 24-cell}", "{list: [[1, 0, 0, 0], [1, 0, 0]]}"), "4:39: route.orientations.list[2]: expected a quaternion of four numbers [w, x, y, z]"),
+    "norm": (replaced("{lattice: 24-cell}", "{list: [[1, 0, 0, 0], [1, 1, 0, 0]]}"), "4:39: route.orientations.list[2]: [1, 1, 0, 0] has norm 1.41421; a unit quaternion [w, x, y, z] is needed"),
+    "not a number": (replaced("{lattice: 24-cell}", "{list: [[1, 0, 0, 0], [.nan, 1, 0, 0]]}"), "4:39: route.orientations.list[2]: [nan, 1, 0, 0] has norm nan; a unit quaternion [w, x, y, z] is needed"),
+    "one orientation": (replaced("{lattice: 24-cell}", "{list: [[1, 0, 0, 0]]}"), "4:17: route.orientations: a list needs at least two orientations"),
+    "tour": (replaced("paper", "papr"), '5:9: route.tour: "papr"; allowed: paper, shortest, given, or a list of labels; did you mean "paper"?'),
+    "tour of one": (replaced("paper", "[1]"), "5:9: route.tour: a tour needs at least two labels"),
+    "tour label": (replaced("paper", "[1, 2.5]"), "5:9: route.tour: a label is a number or a text, not 2.5"),
+    "closed": (replaced("paper", "paper\n  closed: yes"), '6:11: route.closed: "yes"; allowed: true, false'),
+    "no limits": (replaced("\n  velocity: 60 deg/s", " {}"), "6:9: limits: at least one of velocity, acceleration, jerk must bound the motion"),
+    "bare number": (replaced("60 deg/s", "60"), '7:13: limits.velocity: "60" has no unit; write an angular velocity like "60 deg/s"'),
+    "wrong dimension": (replaced("60 deg/s", "60 deg/s^2"), '7:13: limits.velocity: "60 deg/s^2" is not an angular velocity; write it like "60 deg/s"'),
+    "a frequency is no velocity": (replaced("60 deg/s", "60 Hz"), '7:13: limits.velocity: "60 Hz" is not an angular velocity; write it like "60 deg/s"'),
+    "unknown unit": (replaced("60 deg/s", "60 degs/s"), '7:13: limits.velocity: unknown unit "degs"; known: rad, mrad, deg, °, arcmin, arcsec, rev, rpm, s, ms, min, h, Hz, kHz, m, cm, mm, kg, g, N, mN'),
+    "unreadable unit": (replaced("60 deg/s", "60 deg//s"), '7:13: limits.velocity: cannot read the unit "deg//s"; write units like "deg/s^2" or "kg*m^2"'),
+    "no number": (replaced("60 deg/s", "fast"), '7:13: limits.velocity: "fast" is not an angular velocity; write it like "60 deg/s"'),
+    "negative limit": (replaced("60 deg/s", "-60 deg/s"), '7:13: limits.velocity: "-60 deg/s" is out of range; 1e-09 to 1e+09 rad/s are allowed'),
+    "zero limit": (replaced("60 deg/s", "0 deg/s"), '7:13: limits.velocity: "0 deg/s" is out of range; 1e-09 to 1e+09 rad/s are allowed'),
+    "huge limit": (replaced("60 deg/s", "1e300 deg/s"), '7:13: limits.velocity: "1e300 deg/s" is out of range; 1e-09 to 1e+09 rad/s are allowed'),
+    "limit as list": (replaced("60 deg/s", "[60 deg/s]"), '7:13: limits.velocity: expected an angular velocity like "60 deg/s"'),
+    "continuity": (GOOD + "nodes: {continuity: 1}\n", "8:21: nodes.continuity: 1; allowed: 2, 3"),
+    "nodes as number": (GOOD + "nodes: 2\n", "8:8: nodes: 2; a mapping of keys and values is needed"),
+    "basis": (GOOD + "easing: {basis: polynomal}\n", '8:17: easing.basis: "polynomal"; allowed: polynomial; did you mean "polynomial"?'),
+    "degree too low": (GOOD + "easing: {degree: 4}\n", "8:18: easing.degree: 4; at least 5 is needed"),
+    "degree too high": (GOOD + "easing: {degree: 32}\n", "8:18: easing.degree: 32; at most 31 is allowed"),
+    "degree not whole": (GOOD + "easing: {degree: 9.5}\n", "8:18: easing.degree: 9.5; a whole number is needed"),
+    "degree for continuity": (GOOD + "nodes: {continuity: 3}\neasing: {degree: 6}\n", "9:18: easing.degree: 6; continuity 3 at the nodes needs degree 7 or more"),
+    "objective": (GOOD + "objective: tme\n", '8:12: objective: "tme"; allowed: time; did you mean "time"?'),
+    "baseline": (GOOD + "baselines: [quintic, double]\n", '8:22: baselines[2]: "double"; allowed: quintic, double-s; did you mean "double-s"?'),
+    "baselines as text": (GOOD + "baselines: quintic\n", '8:12: baselines: "quintic"; a list is needed'),
+    "rate": (GOOD + "output: {rate: 100}\n", '8:16: output.rate: "100" has no unit; write a frequency like "100 Hz"'),
+    "rate out of range": (GOOD + "output: {rate: 0 Hz}\n", '8:16: output.rate: "0 Hz" is out of range; 1e-09 to 1e+09 1/s are allowed'),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_the_exact_message(case):
+    text, message = CASES[case]
+    with pytest.raises(InputError) as error:
+        parse(text, "scan.yaml")
+    assert str(error.value) == f"scan.yaml:{message}"
+    assert error.value.exit_code == 2
+
+
+def test_there_are_more_than_thirty():
+    assert len(CASES) > 30
+
+
+def test_all_faults_are_reported_at_once_in_the_order_of_the_file():
+    text = "timelaw: 1\nname: a b\nroute: {orientations: {lattice: x}}\nlimits: {jerk: 3}\n"
+    with pytest.raises(InputError) as error:
+        parse(text, "scan.yaml")
+    assert [fault.line for fault in error.value.faults] == [2, 3, 4]
+
+
+def test_the_good_file_is_good():
+    assert parse(GOOD).name == "scan"
+
+
+def test_files_that_cannot_be_read(tmp_path):
+    with pytest.raises(InputError, match=r"none\.yaml: cannot be read: No such file or directory"):
+        load(tmp_path / "none.yaml")
+    (tmp_path / "latin.yaml").write_bytes("name: Grüße".encode("latin-1"))
+    with pytest.raises(InputError, match=r"latin\.yaml: is not a UTF-8 text"):
+        load(tmp_path / "latin.yaml")
+    with pytest.raises(InputError, match="cannot be read: Is a directory"):
+        load(tmp_path)
+
+
+def test_yaml_1_2_and_byte_order_marks(tmp_path):
+    """In YAML 1.1 `no` would be false; files from other editors may start with a mark."""
+    (tmp_path / "marked.yaml").write_bytes(b"\xef\xbb\xbf" + replaced("scan", "no").encode())
+    assert load(tmp_path / "marked.yaml").name == "no"
