@@ -123,4 +123,4 @@ def test_files_that_cannot_be_read(tmp_path):
 def test_yaml_1_2_and_byte_order_marks(tmp_path):
     """In YAML 1.1 `no` would be false; files from other editors may start with a mark."""
     (tmp_path / "marked.yaml").write_bytes(b"\xef\xbb\xbf" + replaced("scan", "no").encode())
-    assert load(tmp_path / "marked.yaml").name == "no"
+    assert load(tmp_path / "marked.yaml")[0].name == "no"

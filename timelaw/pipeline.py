@@ -10,7 +10,7 @@ from timelaw.limits import Rate, limits_of
 from timelaw.motion import QuaternionLaw, compose
 from timelaw.nlp import Optimised, optimise
 from timelaw.orientations import OrientationSet, orientations
-from timelaw.problem import Problem, load
+from timelaw.problem import Problem, Source, load
 from timelaw.route import Route, route
 from timelaw.time_law import BASELINES, TimeLaw, optimised
 from timelaw.tours import Tour, tour
@@ -33,6 +33,7 @@ class Design:
 
     path: Path
     problem: Problem
+    source: Source
     orientations: OrientationSet
     tour: Tour
     route: Route
@@ -54,17 +55,18 @@ def design(path: str | Path, progress: Progress | None = None) -> Design:
         InputError: the problem file, or a table it names, is wrong.
         InfeasibleError: no law was found.
     """
-    problem = load(path := Path(path))
-    points = orientations(problem.route.orientations, path.parent)
-    order = tour(problem.route, points)
-    way = route(points, order)
-    limits = limits_of(problem.limits.given())
-    basis = BASES[problem.easing.basis](problem.easing.degree, problem.nodes.continuity)
-    solution = optimise(way, limits, basis, problem.objective, progress)
+    problem, source = load(path := Path(path))
+    with source.placed():
+        points = orientations(problem.route.orientations, path.parent)
+        order = tour(problem.route, points)
+        way = route(points, order)
+        limits = limits_of(problem.limits.given())
+        basis = BASES[problem.easing.basis](problem.easing.degree, problem.nodes.continuity)
+        solution = optimise(way, limits, basis, problem.objective, progress)
     law = _certified(problem, way, optimised(solution))
     baselines = [b for name in problem.baselines for b in BASELINES[name](way, limits)]
     beside = tuple(_certified(problem, way, time_law) for time_law in baselines)
-    return Design(path, problem, points, order, way, limits, solution, law, beside)
+    return Design(path, problem, source, points, order, way, limits, solution, law, beside)
 
 
 def _certified(problem: Problem, way: Route, time_law: TimeLaw) -> Certified:

@@ -1,5 +1,5 @@
 """The command line: `timelaw design`, `timelaw verify`."""
 
-from timelaw.cli.main import main
+from timelaw.cli.app import main
 
 __all__ = ["main"]

@@ -20,7 +20,8 @@ def run(problem: str, output: str | None, *, as_json: bool) -> int:
     with progress() as report:
         done = design(path, report)
         folder = Path(output) if output is not None else RESULTS / done.problem.name
-        files = _files(done, path)
+        with done.source.placed():
+            files = _files(done, path)
         for name, text in files.items():
             write_text(folder / name, text)
     rows = law_rows(done)

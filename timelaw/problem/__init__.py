@@ -2,5 +2,6 @@
 
 from timelaw.problem.load import load, parse
 from timelaw.problem.model import Problem
+from timelaw.problem.source import Source
 
-__all__ = ["Problem", "load", "parse"]
+__all__ = ["Problem", "Source", "load", "parse"]

@@ -15,13 +15,14 @@ VERSION = 1
 MAX_BYTES = 10_000_000  # far above any real problem file; a wrong file is refused before it is parsed
 
 
-def load(path: Path) -> Problem:
-    """Read and check the problem file at `path`.
+def load(path: Path) -> tuple[Problem, Source]:
+    """Read and check the problem file at `path`; the source knows the place of every key.
 
     Raises:
         InputError: with one fault per line, each with file:line:column.
     """
-    return parse(read_text(path), str(path))
+    source = read(read_text(path), str(path))
+    return _check(source), source
 
 
 def read_text(path: Path) -> str:
@@ -38,7 +39,10 @@ def read_text(path: Path) -> str:
 
 def parse(text: str, path: str = "<problem>") -> Problem:
     """Check the text of a problem file; `path` is named in the messages."""
-    source = read(text, path)
+    return _check(read(text, path))
+
+
+def _check(source: Source) -> Problem:
     version = source.data.get("timelaw")
     if "timelaw" in source.data and (version != VERSION or isinstance(version, bool)):
         message = f"{quoted(version)}; this program reads problem files of version {VERSION}"

@@ -1,6 +1,7 @@
 """YAML 1.2 text → plain data, with the line and column of every key and value."""
 
 from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
 
@@ -10,7 +11,7 @@ from ruamel.yaml.constructor import DuplicateKeyError
 from ruamel.yaml.error import MarkedYAMLError, YAMLError
 from ruamel.yaml.nodes import MappingNode, Node, SequenceNode
 
-from timelaw.errors import Fault, InputError
+from timelaw.errors import Fault, InputError, TimelawError
 
 Path = tuple[str | int, ...]
 
@@ -33,6 +34,19 @@ class Source:
             parent = parent[:-1]
         line, column = place or (1, 1)
         return Fault(message, dotted(where), self.path, line, column)
+
+    @contextmanager
+    def placed(self) -> Iterator[None]:
+        """Give faults that are found after reading, and name a key of this file, their place in it."""
+        try:
+            yield
+        except TimelawError as error:
+            raise type(error)(*(self._placed(fault) for fault in error.faults)) from None
+
+    def _placed(self, fault: Fault) -> Fault:
+        if fault.path or not fault.where:
+            return fault
+        return self.fault(tuple(fault.where.split(".")), fault.message)
 
 
 def dotted(path: Path) -> str:

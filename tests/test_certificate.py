@@ -1,0 +1,260 @@
+"""Certificates: what they prove, what they catch, and that nothing between samples escapes."""
+
+import copy
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from tests.conftest import PROBLEMS, problem
+from tests.oracles import extremum
+from timelaw.certificate import certify
+from timelaw.certificate.certificate import compare_with_record
+from timelaw.easing import Easing
+from timelaw.export import law_json
+from timelaw.motion.document import from_document
+from timelaw.pipeline import design
+from timelaw.time_law import quintic
+
+THETA = 2 * np.pi / 3
+
+
+@pytest.fixture(scope="module")
+def document(paper):
+    return json.loads(law_json(paper.optimised.law, paper.optimised.certificate, {}))
+
+
+def findings(document):
+    certificate = certify(from_document(document))
+    return certificate.findings(), compare_with_record(certificate, document)
+
+
+def powers(control, width, duration, order):
+    """Power-basis coefficients of d^k f/dt^k from Bernstein control points, in floating point."""
+    from math import comb
+
+    n = len(control) - 1
+    result = np.zeros(n + 1)
+    for i, c in enumerate(control):
+        for j in range(n - i + 1):
+            result[i + j] += c * comb(n, i) * comb(n - i, j) * (-1) ** j
+    return np.polynomial.polynomial.polyder(result, order) / (width * duration) ** order
+
+
+def test_peaks_equal_the_extrema_that_roots_give(paper):
+    for entry in paper.laws:
+        for order, check in enumerate(entry.certificate.limits, 1):
+            tops = [
+                extremum(s.angle * powers(piece, width, s.duration, order))
+                for s in entry.law.segments
+                for piece, width in zip(s.easing.pieces, np.diff(s.easing.breaks), strict=True)
+            ]
+            assert check.peak == pytest.approx(max(tops), rel=1e-8)
+            assert check.peak <= check.upper <= check.peak * (1 + 1e-9)
+
+
+def test_no_sample_exceeds_what_was_proved_and_the_peak_is_where_it_says(paper):
+    for entry in paper.laws:
+        law = entry.law
+        t = np.linspace(0, law.duration, 200001)
+        for order, check in enumerate(entry.certificate.limits, 1):
+            assert np.max(np.linalg.norm(law(t, order), axis=1)) <= check.upper
+            around = np.clip(check.time + np.array([-1e-9, 1e-9]), 0, law.duration)  # it may lie at a jump
+            at = np.max(np.linalg.norm(law(around, order), axis=1))
+            assert at == pytest.approx(check.peak, rel=1e-6)
+            assert check.holds
+            assert check.margin >= 0
+
+
+def test_a_limit_is_held_or_broken_without_tolerance(paper):
+    law = paper.optimised.law
+    for check in paper.optimised.certificate.limits:
+        exact = replace(law, limits={**law.limits, check.limit: check.upper})
+        below = replace(law, limits={**law.limits, check.limit: np.nextafter(check.upper, 0)})
+        assert certify(exact).holds
+        assert not certify(below).holds
+        assert check.limit in certify(below).findings()[0]
+
+
+def test_the_emitted_file_certifies_as_the_design_did(paper, document):
+    assert findings(document) == ([], [])
+    assert certify(from_document(document)).to_dict() == paper.optimised.certificate.to_dict()
+
+
+def altered(document, change):
+    changed = copy.deepcopy(document)
+    change(changed["segments"])
+    return changed
+
+
+def set_control(segment, index, factor):
+    def change(segments):
+        control = segments[segment]["easing"]["bernstein"][0]
+        control[index] = control[index] * factor + (1e-6 if control[index] == 0 else 0)
+
+    return change
+
+
+def scale(key, segment, factor):
+    def change(segments):
+        segments[segment][key] *= factor
+
+    return change
+
+
+def turn_axis(segment, angle):
+    def change(segments):
+        x, y, z = segments[segment]["axis"]
+        c, s = np.cos(angle), np.sin(angle)
+        segments[segment]["axis"] = [c * x - s * y, s * x + c * y, z]
+
+    return change
+
+
+ALTERATIONS = {
+    **{f"control point {i}": set_control(4, i, 1 + 1e-6) for i in range(10)},
+    **{f"duration of {i}": scale("duration", i, 1 + 1e-7) for i in range(11)},
+    **{f"axis of {i}": turn_axis(i, 1e-6) for i in range(11)},
+    "shorter": scale("duration", 0, 0.99),
+    "angle": scale("angle", 2, 1 + 1e-7),
+    "start time": scale("start_time", 3, 1 + 1e-9),
+}
+
+
+@pytest.mark.parametrize("name", ALTERATIONS)
+def test_alterations_are_caught_and_not_by_the_digest_alone(document, name):
+    changed = altered(document, ALTERATIONS[name])
+    in_law, in_record = findings(changed)
+    assert "the motion was altered after it was certified: its digest is another" in in_record
+    assert len(in_law) + len(in_record) > 1
+
+
+@pytest.mark.parametrize(
+    "name", ["duration of 3", "axis of 5", "shorter", "angle", "start time", "control point 0"]
+)
+def test_some_alterations_break_the_law_itself(document, name):
+    assert findings(altered(document, ALTERATIONS[name]))[0]
+
+
+def test_the_smallest_alteration_changes_the_digest(document):
+    def change(segments):
+        control = segments[0]["easing"]["bernstein"][0]
+        control[4] = float(np.nextafter(control[4], 1))
+
+    assert len(findings(altered(document, change))[1]) == 1
+
+
+def test_numbers_may_be_written_otherwise(document):
+    """1 for 1.0, as other programs write it, is the same file."""
+    text = json.dumps(document).replace("1.0,", "1,").replace("0.0,", "0,")
+    assert text != json.dumps(document)
+    assert findings(json.loads(text)) == ([], [])
+
+
+def test_a_law_without_record_is_certified_by_its_motion_alone(document):
+    bare = {k: v for k, v in document.items() if k not in ("certificate", "nodes", "provenance")}
+    assert findings(bare) == ([], [])
+
+
+@pytest.mark.parametrize(
+    ("key", "value", "finding"),
+    [
+        ("duration", 12.0, "the file gives a duration of 12.0 s"),
+        ("nodes", [], "the nodes recorded in the file are not those of its motion"),
+        ("certificate", {"continuity": 3}, 'the recorded certificate says otherwise about "continuity"'),
+    ],
+)
+def test_false_claims_are_caught(document, key, value, finding):
+    assert finding in " ".join(findings({**document, key: value})[1])
+
+
+def test_a_node_that_is_missed_is_found(document):
+    def change(segments):
+        segments[0]["end"] = [0.5, -0.5, -0.5, 0.5]
+
+    found = findings(altered(document, change))[0]
+    assert any("arcs end at their nodes" in f for f in found)
+    assert any("segments join" in f for f in found)
+
+
+# Continuity
+
+
+def test_the_quintics_jerk_jump_at_every_corner_has_its_closed_form(paper):
+    """|60 (θ₂n₂/T₂³ − θ₁n₁/T₁³)|: the quintic's f''' is 60 at both ends of a leg."""
+    entry = next(b for b in paper.baselines if b.name == "quintic")
+    for node, before, after in zip(
+        entry.certificate.continuity.nodes[1:-1], paper.route.legs, paper.route.legs[1:], strict=False
+    ):
+        expected = 60 * THETA / 3.75**3 * np.linalg.norm(after.axis - before.axis)
+        assert node.jump["jerk"] == pytest.approx(expected, rel=1e-9, abs=1e-12)
+        assert node.jump["omega"] == node.jump["alpha"] == 0
+        assert node.continuity == (2 if node.kind == "corner" else 3)
+    ends = (entry.certificate.continuity.nodes[0], entry.certificate.continuity.nodes[-1])
+    for node in ends:
+        assert node.jump["jerk"] == pytest.approx(60 * THETA / 3.75**3, rel=1e-9)
+    assert entry.certificate.continuity.order == 2
+
+
+def test_nodes_are_classified_with_their_turns(paper):
+    nodes = paper.optimised.certificate.continuity.nodes
+    assert [n.kind for n in nodes] == [n.kind for n in paper.route.nodes]
+    np.testing.assert_allclose([n.turn for n in nodes], [n.turn for n in paper.route.nodes], atol=1e-15)
+    straight = [n for n in nodes if n.kind == "straight"]
+    assert all(np.linalg.norm(n.before["omega"]) > 0.9 for n in straight)
+
+
+def test_sides_agree_with_the_law(paper):
+    law = paper.optimised.law
+    for node in paper.optimised.certificate.continuity.nodes[1:-1]:
+        for order, name in ((1, "omega"), (2, "alpha"), (3, "jerk")):
+            np.testing.assert_allclose(node.before[name], law(node.time, order, "left"), atol=1e-9)
+            np.testing.assert_allclose(node.after[name], law(node.time, order, "right"), atol=1e-9)
+
+
+def test_continuity_3_has_no_jerk_jump(tmp_path):
+    text = (PROBLEMS / "paper-24-cell.yaml").read_text().replace("continuity: 2", "continuity: 3")
+    (tmp_path / "p.yaml").write_text(text)
+    smooth = design(tmp_path / "p.yaml")
+    report = smooth.optimised.certificate.continuity
+    assert report.order == 3
+    assert max(node.jump["jerk"] for node in report.nodes) < 1e-9
+    assert smooth.optimised.certificate.holds
+
+
+def test_jumps_inside_a_segment_count():
+    """A double-S without a jerk limit jumps in α inside its legs; with velocity alone, ω jumps too."""
+    from timelaw.limits import limits_of
+    from timelaw.motion import compose
+    from timelaw.time_law import double_s
+
+    spec = problem("limits: {velocity: 60 deg/s, acceleration: 120 deg/s^2}")
+    way = _route(spec)
+    limits = spec.limits.given()
+    report = certify(compose("t", way, double_s(way, limits_of(limits)), limits)).continuity
+    assert (report.inside, report.order) == (1, 1)
+    only = {"velocity": 1.0}
+    assert certify(compose("t", way, double_s(way, limits_of(only)), only)).continuity.order == 0
+
+
+def test_a_break_in_the_easing_is_a_geometric_finding(paper):
+    law = paper.optimised.law
+    torn = Easing(np.array([0.0, 0.5, 1.0]), (np.array([0.0, 0.4]), np.array([0.5, 1.0])))
+    broken = replace(law, segments=(replace(law.segments[0], easing=torn), *law.segments[1:]))
+    assert any("easings run from 0 to 1" in f for f in certify(broken).findings())
+
+
+def test_limits_of_the_quintic_on_one_leg_are_tight(paper):
+    assert quintic(paper.route, paper.limits).timings[0].duration == pytest.approx(3.75, rel=1e-11)
+
+
+def _route(spec):
+    from pathlib import Path
+
+    from timelaw.orientations import orientations
+    from timelaw.route import route
+    from timelaw.tours import tour
+
+    points = orientations(spec.route.orientations, Path())
+    return route(points, tour(spec.route, points))

@@ -1,0 +1,161 @@
+"""The command line as a shell sees it: exit codes, stdout, stderr, files."""
+
+import json
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.conftest import PROBLEMS
+from timelaw.cli import app
+from timelaw.errors import InfeasibleError
+
+
+def timelaw(*arguments, cwd=None):
+    command = [sys.executable, "-m", "timelaw", *map(str, arguments)]
+    return subprocess.run(command, capture_output=True, text=True, cwd=cwd, check=False)
+
+
+@pytest.fixture(scope="module")
+def designed(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("designed")
+    return folder, timelaw("design", PROBLEMS / "first-steps.yaml", cwd=folder)
+
+
+def test_design_writes_its_files_and_says_so(designed):
+    folder, done = designed
+    assert done.returncode == 0
+    assert done.stdout == ""
+    assert "certified: all limits hold for all t" in done.stderr
+    assert "\r" not in done.stderr
+    names = {path.name for path in (folder / "results" / "first-steps").iterdir()}
+    assert names == {"law.json", "samples.csv", "report.html", "rates.svg", "easings.svg"}
+
+
+def test_verify_agrees_with_design(designed):
+    folder, _ = designed
+    path = folder / "results" / "first-steps" / "law.json"
+    done = timelaw("verify", path, "--json")
+    assert done.returncode == 0
+    result = json.loads(done.stdout)
+    assert result["ok"] is True
+    assert result["findings"] == []
+    assert result["certificate"] == json.loads(path.read_text())["certificate"]
+
+
+def alter(folder, tmp_path, change):
+    document = json.loads((folder / "results" / "first-steps" / "law.json").read_text())
+    change(document["segments"])
+    path = tmp_path / "law.json"
+    path.write_text(json.dumps(document))
+    return path
+
+
+@pytest.mark.parametrize("what", ["control point", "duration", "axis"])
+def test_verify_catches_an_altered_law(designed, tmp_path, what):
+    def change(segments):
+        if what == "control point":
+            segments[1]["easing"]["bernstein"][0][4] += 1e-9
+        elif what == "duration":
+            segments[1]["duration"] *= 0.999
+        else:
+            segments[1]["axis"] = [0.0, 1.0, 0.0]
+
+    done = timelaw("verify", alter(designed[0], tmp_path, change), "--json")
+    assert done.returncode == 1
+    result = json.loads(done.stdout)
+    assert result["ok"] is False
+    assert result["findings"]
+    assert "NOT certified" in done.stderr
+
+
+def test_output_folder_and_json(tmp_path):
+    done = timelaw("design", PROBLEMS / "first-steps.yaml", "-o", tmp_path / "out", "--json")
+    assert done.returncode == 0
+    result = json.loads(done.stdout)
+    assert result["ok"] is True
+    assert all(Path(file).exists() for file in result["files"])
+    assert [law["name"] for law in result["laws"]] == [
+        "optimised",
+        "quintic",
+        "double-S",
+        "double-S, every stop",
+    ]
+    assert result["certificate"]["holds"] is True
+
+
+def test_a_wrong_file_is_exit_2_with_places_and_no_traceback(tmp_path):
+    path = tmp_path / "wrong.yaml"
+    path.write_text(
+        "timelaw: 1\nname: a b\nroute: {orientations: {lattice: 24-cell}}\nlimits: {velocity: 60}\n"
+    )
+    done = timelaw("design", path, "--json")
+    assert done.returncode == 2
+    lines = done.stderr.splitlines()
+    assert [line.split(": ")[1] for line in lines] == [f"{path}:2:7", f"{path}:4:20"]
+    errors = json.loads(done.stdout)
+    assert errors["exit_code"] == 2
+    assert [e["where"] for e in errors["errors"]] == ["name", "limits.velocity"]
+    assert [e["line"] for e in errors["errors"]] == [2, 4]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["design"], "Missing argument 'PROBLEM'"),
+        (["desing", "x"], "No such command 'desing'"),
+        (["design", "x.yaml", "--fast"], "No such option"),
+        (["design", "none.yaml"], "none.yaml: cannot be read: No such file or directory"),
+        (["verify", "none.json"], "none.json: cannot be read: No such file or directory"),
+        (["verify", str(PROBLEMS / "first-steps.yaml")], "not readable as JSON"),
+    ],
+)
+def test_a_wrong_command_line_is_exit_2(arguments, message):
+    done = timelaw(*arguments, "--json")
+    assert done.returncode == 2
+    assert message in done.stderr
+    assert "Traceback" not in done.stderr
+    assert json.loads(done.stdout)["ok"] is False
+
+
+def test_faults_found_after_reading_name_the_file_too(tmp_path):
+    text = (PROBLEMS / "paper-24-cell.yaml").read_text().replace("tour: paper", "tour: [1, 2]")
+    (tmp_path / "p.yaml").write_text(text)
+    done = timelaw("design", tmp_path / "p.yaml")
+    assert done.returncode == 2
+    assert f"{tmp_path / 'p.yaml'}:7:9: route.tour: the tour leaves out 3, 4" in done.stderr
+
+
+def test_a_folder_that_cannot_be_written(tmp_path):
+    (tmp_path / "taken").write_text("")
+    done = timelaw("design", PROBLEMS / "first-steps.yaml", "-o", tmp_path / "taken")
+    assert done.returncode == 2
+    assert "cannot be written" in done.stderr
+
+
+def test_no_solution_is_exit_3_and_an_interrupt_130(monkeypatch, capsys):
+    def infeasible(*_, **__):
+        raise InfeasibleError("no law was found")
+
+    def interrupted(*_, **__):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("timelaw.cli.design.run", infeasible)
+    assert app._run(["design", "x.yaml", "--json"]) == 3
+    assert json.loads(capsys.readouterr().out)["exit_code"] == 3
+    monkeypatch.setattr("timelaw.cli.design.run", interrupted)
+    assert app._run(["design", "x.yaml"]) == 130
+
+
+def test_help_and_version():
+    shown = timelaw("--help")
+    assert shown.returncode == 0
+    assert "design" in shown.stdout
+    assert "Exit codes" in shown.stdout
+    assert timelaw("--version").stdout.startswith("timelaw, version")
+
+
+def test_the_installed_command_is_there():
+    assert shutil.which("timelaw", path=str(Path(sys.executable).parent))

@@ -1,0 +1,176 @@
+"""Easings against closed forms: smoothsteps, the double-S profile, the solver's basis."""
+
+from itertools import pairwise
+from math import inf, isinf
+
+import numpy as np
+import pytest
+from numpy.polynomial import polynomial as power
+
+from tests.conftest import random_limits
+from tests.oracles import QUINTIC, QUINTIC_PEAKS, SEPTIC, SEPTIC_PEAKS, smoothstep_duration
+from timelaw.easing import Easing, PolynomialBasis, Timing, fit_to_limits, smoothstep, utilisation
+from timelaw.easing.double_s import fitted_run_timings, least_time, profile, ramp_times, run_timings
+from timelaw.limits import limits_of
+
+DEG = np.pi / 180
+TAU = np.linspace(0, 1, 101)
+
+
+@pytest.mark.parametrize(("continuity", "coefficients"), [(2, QUINTIC), (3, SEPTIC)])
+@pytest.mark.parametrize("order", [0, 1, 2, 3])
+def test_smoothsteps_are_the_quintic_and_the_septic(continuity, coefficients, order):
+    easing = Easing.single(smoothstep.smoothstep(continuity))
+    np.testing.assert_allclose(
+        easing(TAU, order), power.polyval(TAU, power.polyder(coefficients, order)), atol=1e-11
+    )
+
+
+@pytest.mark.parametrize(("continuity", "peaks"), [(2, QUINTIC_PEAKS), (3, SEPTIC_PEAKS)])
+@pytest.mark.parametrize("bounds", [(1, 2, 10), (1, inf, inf), (inf, 2, inf), (inf, inf, 10), (0.01, 3, 5)])
+def test_the_smoothsteps_duration_has_its_closed_form(continuity, peaks, bounds):
+    given = {n: b for n, b in zip(("velocity", "acceleration", "jerk"), bounds, strict=True) if not isinf(b)}
+    timing = smoothstep.leg_timing(2.0, limits_of(given), continuity)
+    assert timing.duration == pytest.approx(smoothstep_duration(peaks, 2.0, bounds), rel=1e-12)
+
+
+def test_a_smoothstep_over_a_run_is_one_polynomial_cut_at_the_nodes():
+    limits = limits_of({"velocity": 1.0, "acceleration": 2.0, "jerk": 10.0})
+    angles = (0.5, 1.5, 0.1)
+    timings = smoothstep.run_timings(angles, limits, 2)
+    whole = smoothstep.leg_timing(sum(angles), limits, 2).duration
+    assert sum(t.duration for t in timings) == pytest.approx(whole, rel=1e-12)
+    for (a, left), (b, right) in pairwise(zip(angles, timings, strict=True)):
+        for k in (1, 2, 3):
+            end = a * left.easing(1.0, k) / left.duration**k
+            assert end == pytest.approx(b * right.easing(0.0, k) / right.duration**k, rel=1e-9)
+
+
+# θ [deg], limits [deg/s^k], T [s]: jerk alone ∛(32 θ/j), acceleration alone 2√(θ/a), velocity alone θ/w;
+# 120° at 60, 120, 600: ramps of 0.2 + 0.5 s, 2 s of cruise less one ramp; and so on.
+PROFILES = [
+    (120, (inf, inf, 600), (32 * 120 / 600) ** (1 / 3)),
+    (120, (inf, 120, inf), 2.0),
+    (120, (60, inf, inf), 2.0),
+    (120, (60, 120, 600), 2.7),
+    (240, (60, 120, 600), 4.7),
+    (288, (60, 120, 600), 5.5),
+    (120, (60, 120, inf), 2.5),
+    (120, (60, inf, 600), 2 + (60 / 600) ** 0.5 * 2),
+    (72, (720, 2000, 100000), 0.4),
+    (120, (1, 0.05, 0.01), 145.0),
+]
+
+
+@pytest.mark.parametrize(("angle", "bounds", "duration"), PROFILES)
+def test_double_s_in_closed_form(angle, bounds, duration):
+    assert least_time(angle * DEG, *(b * DEG for b in bounds)) == pytest.approx(duration, rel=1e-12)
+
+
+def integrated(angle, bounds):
+    """End of the profile by summing up small steps of its phases' jerk; acceleration may jump between."""
+    phases = profile(angle, *bounds)
+    steps = 2000
+    position = velocity = 0.0
+    for phase in phases:
+        dt = phase.duration / steps
+        for i in range(steps):
+            a = phase.acceleration + phase.jerk * (i + 0.5) * dt
+            position += velocity * dt + a * dt * dt / 2
+            velocity += a * dt
+    return position, velocity, sum(p.duration for p in phases)
+
+
+@pytest.mark.parametrize(("angle", "bounds", "duration"), PROFILES)
+def test_the_phases_integrate_to_the_angle_and_to_rest(angle, bounds, duration):
+    scaled = tuple(b * DEG for b in bounds)
+    position, velocity, total = integrated(angle * DEG, scaled)
+    if bounds[1:] == (inf, inf):
+        velocity = position = 0  # constant velocity throughout: checked by its duration alone
+        assert total == pytest.approx(duration)
+        return
+    assert position == pytest.approx(angle * DEG, rel=1e-5)
+    assert velocity == pytest.approx(0, abs=1e-5 * max(p.velocity for p in profile(angle * DEG, *scaled)))
+
+
+@pytest.mark.parametrize("seed", range(30))
+def test_double_s_scales_with_time_and_is_never_beaten_by_the_quintic(seed):
+    rng = np.random.default_rng(seed)
+    bounds, angle = tuple(random_limits(rng).values()), 10 ** rng.uniform(-1, 0.5)
+    c = 10 ** rng.uniform(-1, 1)
+    scaled = (c * bounds[0], c**2 * bounds[1], c**3 * bounds[2])
+    assert least_time(angle, *scaled) == pytest.approx(least_time(angle, *bounds) / c, rel=1e-12)
+    assert least_time(angle, *bounds) <= smoothstep_duration(QUINTIC_PEAKS, angle, bounds)
+    t_j, t_a, t_v = ramp_times(angle, *bounds)
+    assert min(t_j, t_a - 2 * t_j * (1 - 1e-12), t_v) >= 0
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_written_double_s_holds_its_limits_close_to_the_closed_form(seed):
+    """Over six decades of limits, cut at nodes, with any of the limits left out."""
+    rng = np.random.default_rng(100 + seed)
+    given = {n: b for n, b in random_limits(rng).items() if rng.random() > 0.2} or {"jerk": 1.0}
+    angles = tuple(float(a) for a in 10 ** rng.uniform(-1, 0.5, rng.integers(1, 5)))
+    limits = limits_of(given)
+    timings = fitted_run_timings(angles, limits)
+    bounds = [given.get(n, inf) for n in ("velocity", "acceleration", "jerk")]
+    total = sum(t.duration for t in timings)
+    ideal = least_time(sum(angles), *bounds)
+    assert ideal <= total * (1 + 1e-12)
+    assert total <= ideal * (1 + 1e-5)
+    assert max(utilisation(angles, timings, limits)) <= 1
+
+
+def test_pieces_meet_with_velocity_and_acceleration_at_nodes_and_breaks():
+    angles = (2.0, 1.0)
+    timings = run_timings(angles, 1.0, 2.0, 10.0)
+    for k, tolerance in ((1, 1e-12), (2, 1e-10)):
+        sides = [
+            (
+                angle * t.easing(tau, k, "left") / t.duration**k,
+                angle * t.easing(tau, k, "right") / t.duration**k,
+            )
+            for angle, t in zip(angles, timings, strict=True)
+            for tau in t.easing.breaks[1:-1]
+        ]
+        left, right = (angles[i] * timings[i].easing(1.0 - i, k) / timings[i].duration ** k for i in (0, 1))
+        for a, b in [*sides, (left, right)]:
+            assert a == pytest.approx(b, abs=tolerance)
+
+
+@pytest.mark.parametrize(("degree", "continuity"), [(5, 2), (9, 2), (31, 2), (7, 3), (20, 3)])
+def test_the_basis_meets_what_is_asked_at_both_ends(degree, continuity):
+    rng = np.random.default_rng(degree)
+    basis = PolynomialBasis(degree, continuity)
+    left, right = rng.normal(size=(2, continuity + 1))
+    easing = Easing.single(basis.control(left, rng.normal(size=basis.free), right))
+    for i in range(continuity + 1):
+        assert easing(0.0, i) == pytest.approx(left[i], abs=1e-9)
+        assert easing(1.0, i) == pytest.approx(right[i], abs=1e-7)
+
+
+@pytest.mark.parametrize(("degree", "continuity"), [(9, 2), (31, 2), (11, 3)])
+def test_a_smoothstep_survives_the_way_into_the_basis_and_back(degree, continuity):
+    basis = PolynomialBasis(degree, continuity)
+    easing = Easing.single(smoothstep.smoothstep(continuity))
+    rest = np.eye(continuity + 1)[0]
+    control = basis.control(0 * rest, basis.free_of(easing), rest)
+    np.testing.assert_allclose(Easing.single(control)(TAU, 3), easing(TAU, 3), atol=1e-8)
+
+
+def test_sides_of_a_break_and_the_domain():
+    easing = Easing(np.array([0.0, 0.25, 1.0]), (np.array([0.0, 0.5]), np.array([0.5, 1.0])))
+    assert easing(0.25, 1, "left") == 2.0
+    assert easing(0.25, 1, "right") == pytest.approx(2 / 3)
+    assert easing(np.array([0.0, 0.25, 1.0])).tolist() == [0.0, 0.5, 1.0]
+    with pytest.raises(ValueError, match="outside"):
+        easing(1.0000001)
+
+
+@pytest.mark.parametrize("factor", [0.2, 1.0, 7.0])
+def test_the_stretch_is_exact_both_ways(factor):
+    limits = limits_of({"velocity": 1.0, "acceleration": 2.0, "jerk": 10.0})
+    timing = Timing(factor * 3.0, Easing.single(smoothstep.smoothstep(2)))
+    fitted = fit_to_limits([2.0], [timing], limits)
+    assert fitted[0].duration == pytest.approx(smoothstep_duration(QUINTIC_PEAKS, 2.0, (1, 2, 10)), rel=1e-11)
+    assert max(utilisation([2.0], fitted, limits)) <= 1

@@ -1,0 +1,74 @@
+"""The reference problems against closed forms and linear programs, and the committed results."""
+
+from collections import Counter
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tests.conftest import PROBLEMS, reference
+from tests.oracles import QUINTIC_PEAKS, LinearProgram, smoothstep_duration
+from timelaw.certificate import certify
+from timelaw.certificate.certificate import compare_with_record
+from timelaw.motion.law_file import read_law
+
+DEG = np.pi / 180
+RESULTS = Path(__file__).parent.parent / "results"
+
+# name: limits [deg], leg angle [deg], legs, runs by their number of legs,
+# double-S stopping and over the runs in closed form by hand where round [s]
+CASES = {
+    "paper-24-cell": ((60, 120, 600), 120.0, 11, {1: 5, 2: 3}, 29.70, 27.60),
+    "spacecraft-24-cell": ((1, 0.05, 0.01), 120.0, 11, {1: 5, 2: 3}, 1595.0, 1520.0),
+    "gimbal-600-cell": ((720, 2000, 100000), 72.0, 59, {1: 51, 2: 4}, 23.60, None),
+    "imu-calibration-120-cell": ((60, 120, 600), 31.044975628140147, 299, {1: 299}, None, None),
+}
+
+
+def single_and_pair(bounds, angle, lengths):
+    """Linear-program optima of one leg, and of two equal legs that share the time evenly."""
+    limits = {k: b * DEG for k, b in enumerate(bounds, 1)}
+    found = {1: LinearProgram(9, 2, (angle * DEG,), limits).solve()}
+    if 2 in lengths:
+        found[2] = LinearProgram(9, 2, (angle * DEG,) * 2, limits, (0.5, 0.5)).solve()
+    return found
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_reference_problems(name):
+    bounds, angle, legs, runs, stopping, limit = CASES[name]
+    design = reference(name)
+    assert Counter(len(run.angles) for run in design.route.runs) == runs
+    np.testing.assert_allclose(design.route.angles, angle * DEG, rtol=1e-12)
+    durations = {entry.name: entry.certificate.duration for entry in design.laws}
+    quintic = legs * smoothstep_duration(QUINTIC_PEAKS, angle, bounds)
+    assert durations["quintic"] == pytest.approx(quintic, rel=1e-9)
+    if stopping is not None:
+        assert durations["double-S, every stop"] == pytest.approx(stopping, rel=1e-9)
+    if limit is not None:
+        assert durations["double-S"] == pytest.approx(limit, rel=1e-9)
+    best = single_and_pair(bounds, angle, runs)
+    lower = sum(count * best[length][0] for length, count in runs.items())
+    upper = sum(count * best[length][1] for length, count in runs.items())
+    assert lower * (1 - 1e-5) <= durations["optimised"] <= upper * (1 + 1e-5)
+    assert durations["double-S"] < durations["optimised"] < durations["quintic"]
+    assert all(entry.certificate.holds for entry in design.laws)
+    assert all(entry.certificate.continuity.order == 2 for entry in design.laws)
+
+
+def test_the_first_steps_file_goes_straight_once():
+    design = reference("first-steps")
+    assert design.optimised.certificate.holds
+    assert [node.kind for node in design.route.nodes] == ["start", "straight", "corner", "corner", "end"]
+
+
+def test_every_problem_file_is_a_case():
+    assert {path.stem for path in PROBLEMS.glob("*.yaml")} == {*CASES, "first-steps"}
+
+
+@pytest.mark.parametrize("path", sorted(RESULTS.glob("*/law.json")), ids=lambda p: p.parent.name)
+def test_committed_laws_verify(path):
+    law, document = read_law(path)
+    certificate = certify(law)
+    assert certificate.findings() == []
+    assert compare_with_record(certificate, document) == []
