@@ -11,6 +11,7 @@ from tests.oracles import QUINTIC_PEAKS, LinearProgram, smoothstep_duration
 from timelaw.certificate import certify
 from timelaw.certificate.certificate import compare_with_record
 from timelaw.motion.law_file import read_law
+from timelaw.report.reference import replaced, table
 
 DEG = np.pi / 180
 RESULTS = Path(__file__).parent.parent / "results"
@@ -72,3 +73,17 @@ def test_committed_laws_verify(path):
     certificate = certify(law)
     assert certificate.findings() == []
     assert compare_with_record(certificate, document) == []
+
+
+README = (Path(__file__).parent.parent / "README.md").read_text(encoding="utf-8")
+
+
+def test_the_readmes_table_is_what_the_command_prints():
+    designs = [reference(path.stem) for path in sorted(PROBLEMS.glob("*.yaml"))]
+    assert replaced(README, table(designs)) == README
+
+
+def test_ci_runs_the_readmes_test_command():
+    command = "python3 -m venv .venv && .venv/bin/pip install -q -e '.[test]' && .venv/bin/pytest\n"
+    assert command in README
+    assert (Path(__file__).parent.parent / ".ci" / "run").read_text().endswith(command)

@@ -19,7 +19,7 @@ from timelaw.report.figures import figures
 from timelaw.report.summary import law_rows, run_rows
 from timelaw.time_law import physical_limit
 
-PACKAGES = ("casadi", "numpy", "scipy", "matplotlib")
+PACKAGES = ("casadi", "numpy", "matplotlib")
 RATES = (("omega", "ω", "deg/s"), ("alpha", "α", "deg/s²"), ("jerk", "jerk", "deg/s³"))
 
 
