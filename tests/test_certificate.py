@@ -238,6 +238,20 @@ def test_jumps_inside_a_segment_count():
     assert certify(compose("t", way, double_s(way, limits_of(only)), only)).continuity.order == 0
 
 
+def test_a_limit_cannot_hold_where_a_lower_rate_jumps(paper):
+    """A double-S without jerk limit jumps in α: whatever its pieces do, no jerk limit holds."""
+    from timelaw.limits import limits_of
+    from timelaw.motion import compose
+    from timelaw.time_law import double_s
+
+    limits = {"velocity": 1.0, "acceleration": 2.0}
+    trapezoid = compose("t", paper.route, double_s(paper.route, limits_of(limits)), limits)
+    assert certify(trapezoid).holds
+    found = certify(replace(trapezoid, limits={**limits, "jerk": 1e6})).findings()
+    assert len(found) == 1
+    assert found[0].startswith("alpha jumps at node")
+
+
 def test_a_break_in_the_easing_is_a_geometric_finding(paper):
     law = paper.optimised.law
     torn = Easing(np.array([0.0, 0.5, 1.0]), (np.array([0.0, 0.4]), np.array([0.5, 1.0])))

@@ -8,6 +8,7 @@ from typing import Any
 from timelaw.certificate.continuity import Continuity, continuity
 from timelaw.certificate.geometry_check import GeometryCheck, check_geometry
 from timelaw.certificate.limit_check import LimitCheck, check_limits
+from timelaw.limits import LIMITS
 from timelaw.motion import QuaternionLaw
 from timelaw.motion.document import to_document
 
@@ -37,12 +38,24 @@ class Certificate:
             for c in self.limits
             if not c.holds
         ]
+        found += self._jumps()
         found += [
             f"{g.check}: off by {g.worst:.3g} at {g.where}, {g.tolerance:.1g} is tolerated"
             for g in self.geometry
             if not g.holds
         ]
         return found
+
+    def _jumps(self) -> list[str]:
+        """Limits of order k where a lower rate jumps: the limited rate is unbounded there."""
+        highest = max((LIMITS[c.limit](c.bound).order for c in self.limits), default=0)
+        if self.continuity.order >= highest - 1:
+            return []
+        rate = ("omega", "alpha", "jerk")[self.continuity.order]
+        worst = max(self.continuity.nodes, key=lambda node: node.jump[rate])
+        places = [f"at node {n.label}" for n in (worst,) if n.continuity == self.continuity.order]
+        place = places[0] if places else "inside a segment"
+        return [f"{rate} jumps {place}, where a limit on one of its derivatives cannot hold"]
 
     def to_dict(self) -> dict[str, Any]:
         """As the law file has it."""
