@@ -8,7 +8,10 @@ import pytest
 from hypothesis import settings
 
 from timelaw import design
+from timelaw.limits import binding, limits_of, rows_on
+from timelaw.limits.torque import torque_norm
 from timelaw.problem import parse
+from timelaw.schedule import Demand
 
 PROBLEMS = Path(__file__).parent.parent / "problems"
 
@@ -44,6 +47,20 @@ def problem(text: str):
 def random_limits(rng: np.random.Generator) -> dict[str, float]:
     """Velocity, acceleration and jerk limits over six decades."""
     return {name: float(10 ** rng.uniform(-3, 3)) for name in ("velocity", "acceleration", "jerk")}
+
+
+AXIS = np.array([2.0, 3.0, 6.0]) / 7
+
+
+def demand(angle, limits, axis=AXIS, inertia=None, duration=None):
+    """What must hold on a leg about `axis` under limits given by name."""
+    axis = np.asarray(axis, dtype=float)
+    rows = binding(rows_on(limits_of(limits, inertia), axis))
+    return Demand(float(angle), rows, duration, torque_norm(inertia, axis) if inertia is not None else None)
+
+
+def demands(angles, limits, **others):
+    return tuple(demand(angle, limits, **others) for angle in angles)
 
 
 def unit_quaternions(rng: np.random.Generator, count: int) -> np.ndarray:

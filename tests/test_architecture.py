@@ -18,6 +18,7 @@ SENTENCE = [
     "tours",
     "route",
     "limits",
+    "schedule",
     "easing",
     "objectives",
     "nlp",

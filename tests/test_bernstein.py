@@ -109,3 +109,50 @@ def test_the_peak_of_a_basis_polynomial_is_where_calculus_puts_it():
     peak = peaks([control])[0]
     assert peak.at == pytest.approx(17 / 31, abs=1e-6)
     assert peak.lower == pytest.approx(comb(31, 17) * (17 / 31) ** 17 * (14 / 31) ** 14, rel=1e-12)
+
+
+def chebyshev_control(degree):
+    """Control points of T_n on [0, 1], exact as fractions: wild, while |T_n| ≤ 1."""
+    previous, current = [Fraction(1)], [Fraction(-1), Fraction(2)]  # powers of u, of T_0 and T_1 at 2u - 1
+    for _ in range(degree - 1):
+        doubled = [Fraction(0)] * (len(current) + 1)
+        for i, c in enumerate(current):
+            doubled[i] -= 2 * c
+            doubled[i + 1] += 4 * c
+        for i, c in enumerate(previous):
+            doubled[i] -= c
+        previous, current = current, doubled
+    n = degree
+    return [sum(current[j] * Fraction(comb(i, j), comb(n, j)) for j in range(i + 1)) for i in range(n + 1)]
+
+
+@pytest.mark.parametrize("degree", [10, 20, 30, 40])
+def test_bounds_are_proved_also_where_control_points_are_wild(degree):
+    """T_n has control points of up to 1e10 and more, whose rounding moves the extremum off 1."""
+    control = np.array([float(c) for c in chebyshev_control(degree)])
+    peak = peaks([control])[0]
+    tops = [Fraction(i, 4096) for i in range(4097)]
+    basis = [
+        [comb(degree, i) * t**i * (1 - t) ** (degree - i) for i in range(degree + 1)] for t in tops[::64]
+    ]
+    exact_control = [Fraction(c) for c in control]
+    values = [abs(sum(b * c for b, c in zip(row, exact_control, strict=True))) for row in basis]
+    assert Fraction(peak.upper) >= max(values)
+    assert Fraction(peak.lower) <= Fraction(peak.upper)
+
+
+def test_nothing_that_is_not_finite_has_a_finite_peak():
+    for wrong in (np.nan, np.inf, -np.inf):
+        for place in range(4):
+            control = np.array([0.5, 0.1, 0.2, 0.3])
+            control[place] = wrong
+            assert peaks([control])[0].upper == np.inf
+
+
+def test_subnormal_and_constant_polynomials_end():
+    rng = np.random.default_rng(3)
+    stack = [rng.uniform(0.9, 1.2, 7) * 1e-321 for _ in range(50)] + [
+        np.full(32, 0.1) + rng.normal(size=32) * 1e-16
+    ]
+    found = peaks(stack)
+    assert all(peak.upper >= np.max(np.abs(c[[0, -1]])) for peak, c in zip(found, stack, strict=True))

@@ -3,6 +3,7 @@
 import copy
 import json
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -13,9 +14,14 @@ from timelaw.certificate import certify
 from timelaw.certificate.certificate import compare_with_record
 from timelaw.easing import Easing
 from timelaw.export import law_json
+from timelaw.motion import compose
 from timelaw.motion.document import from_document
+from timelaw.orientations import orientations
 from timelaw.pipeline import design
-from timelaw.time_law import quintic
+from timelaw.route import route
+from timelaw.schedule import schedule
+from timelaw.time_law import double_s
+from timelaw.tours import tour
 
 THETA = 2 * np.pi / 3
 
@@ -225,31 +231,36 @@ def test_continuity_3_has_no_jerk_jump(tmp_path):
 
 def test_jumps_inside_a_segment_count():
     """A double-S without a jerk limit jumps in α inside its legs; with velocity alone, ω jumps too."""
-    from timelaw.limits import limits_of
-    from timelaw.motion import compose
-    from timelaw.time_law import double_s
-
-    spec = problem("limits: {velocity: 60 deg/s, acceleration: 120 deg/s^2}")
-    way = _route(spec)
-    limits = spec.limits.given()
-    report = certify(compose("t", way, double_s(way, limits_of(limits)), limits)).continuity
+    report = certify(_double_s("{velocity: 60 deg/s, acceleration: 120 deg/s^2}")).continuity
     assert (report.inside, report.order) == (1, 1)
-    only = {"velocity": 1.0}
-    assert certify(compose("t", way, double_s(way, limits_of(only)), only)).continuity.order == 0
+    assert certify(_double_s("{velocity: 60 deg/s}")).continuity.order == 0
 
 
-def test_a_limit_cannot_hold_where_a_lower_rate_jumps(paper):
+def test_a_limit_cannot_hold_where_a_lower_rate_jumps():
     """A double-S without jerk limit jumps in α: whatever its pieces do, no jerk limit holds."""
-    from timelaw.limits import limits_of
-    from timelaw.motion import compose
-    from timelaw.time_law import double_s
-
-    limits = {"velocity": 1.0, "acceleration": 2.0}
-    trapezoid = compose("t", paper.route, double_s(paper.route, limits_of(limits)), limits)
+    trapezoid = _double_s("{velocity: 60 deg/s, acceleration: 120 deg/s^2}")
     assert certify(trapezoid).holds
-    found = certify(replace(trapezoid, limits={**limits, "jerk": 1e6})).findings()
+    found = certify(replace(trapezoid, limits={**trapezoid.limits, "jerk": 1e6})).findings()
     assert len(found) == 1
     assert found[0].startswith("alpha jumps at node")
+
+
+def test_a_motion_that_starts_with_a_jolt_holds_no_acceleration_limit(paper):
+    """f = τ has no acceleration inside, but an infinite one at both ends."""
+    arc = replace(paper.optimised.law.segments[0], duration=10.0, easing=Easing.single([0.0, 1.0]))
+    law = replace(paper.optimised.law, segments=(arc,), limits={"velocity": 1.0})
+    assert certify(law).holds
+    assert not certify(replace(law, limits={"velocity": 1.0, "acceleration": 1e-3})).holds
+
+
+def test_a_jump_is_judged_by_the_rates_around_it(paper):
+    """A violent tiny leg must not hide the jump of a calm one beside it."""
+    first, second = paper.optimised.law.segments[:2]
+    tiny = replace(first, angle=1e-6, duration=1e-6, easing=Easing.single([0, 0, 0, 1, 1, 1.0]))
+    calm = replace(second, start_time=1e-6, duration=4.0, easing=Easing.single([0, 0, 1, 1.0]))
+    far = replace(calm, start_time=4.000001)
+    report = certify(replace(paper.optimised.law, segments=(tiny, calm, far))).continuity
+    assert report.nodes[2].continuity == 1
 
 
 def test_a_break_in_the_easing_is_a_geometric_finding(paper):
@@ -259,16 +270,10 @@ def test_a_break_in_the_easing_is_a_geometric_finding(paper):
     assert any("easings run from 0 to 1" in f for f in certify(broken).findings())
 
 
-def test_limits_of_the_quintic_on_one_leg_are_tight(paper):
-    assert quintic(paper.route, paper.limits).timings[0].duration == pytest.approx(3.75, rel=1e-11)
-
-
-def _route(spec):
-    from pathlib import Path
-
-    from timelaw.orientations import orientations
-    from timelaw.route import route
-    from timelaw.tours import tour
-
+def _double_s(limits):
+    """The double-S law of the paper's tour under other limits."""
+    spec = problem(f"limits: {limits}")
     points = orientations(spec.route.orientations, Path())
-    return route(points, tour(spec.route, points))
+    way = route(points, tour(spec.route, points))
+    plan = schedule(spec, way)
+    return compose("t", way, double_s(way, plan), plan)

@@ -90,20 +90,43 @@ MALFORMED = {
     "format": (["format"], "other", "format: Input should be 'timelaw-law'"),
     "version": (["version"], 2, "version: Input should be 1"),
     "no segments": (["segments"], [], "segments: List should have at least 1 item after validation, not 0"),
-    "kind": (["segments", 2, "kind"], "curve", "segments[2].kind: Input should be 'arc'"),
+    "kind": (
+        ["segments", 2, "kind"],
+        "curve",
+        "segments[2]: Input tag 'curve' found using 'kind' does not match",
+    ),
     "short axis": (
         ["segments", 0, "axis"],
         [1.0, 0.0],
         "segments[0].axis: List should have at least 3 items",
     ),
     "text": (["segments", 0, "angle"], "2", "segments[0].angle: Input should be a valid number"),
-    "zero time": (["segments", 0, "duration"], 0.0, "segments[0].duration: Input should be greater than 0"),
+    "zero time": (
+        ["segments", 0, "duration"],
+        0.0,
+        "segments[0].duration: Input should be greater than or equal to 0.000000001",
+    ),
     "breaks": (["segments", 0, "easing", "breaks"], [0.0, 0.5], "breaks must ascend from 0 to 1"),
     "pieces": (["segments", 0, "easing", "breaks"], [0.0, 0.5, 1.0], "2 intervals need as many lists"),
     "missing": (["segments", 0, "easing"], None, "segments[0].easing: Field required"),
     "conventions": (["conventions", "quaternion"], "xyzw", "allowed: {'quaternion': 'wxyz, Hamilton, active"),
+    "eternal": (
+        ["segments", 0, "duration"],
+        1e150,
+        "segments[0].duration: Input should be less than or equal to",
+    ),
+    "narrow": (["segments", 0, "easing", "breaks"], [0.0, 1e-200, 1.0], "breaks must ascend from 0 to 1"),
+    "wild": (
+        ["segments", 0, "easing", "bernstein", 0, 3],
+        1e308,
+        "bernstein[0][3]: Input should be less than",
+    ),
     "limit": (["limits", "warp"], 9.0, 'limits: unknown limit "warp"; known: velocity, acceleration, jerk'),
-    "negative limit": (["limits", "jerk"], -9.0, "limits.jerk: Input should be greater than 0"),
+    "negative limit": (
+        ["limits", "jerk"],
+        -9.0,
+        "limits.jerk: Value error, a positive number, or three for the body axes, is needed",
+    ),
 }
 
 

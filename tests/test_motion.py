@@ -104,7 +104,7 @@ def test_the_quintics_effort_in_closed_form(paper):
 
 
 def test_time_laws_know_the_route_parameter_only(paper):
-    time_law = TimeLaw("test", double_s(paper.route, paper.limits).timings)
+    time_law = TimeLaw("test", double_s(paper.route, paper.schedule).timings)
     np.testing.assert_allclose(time_law(time_law.times), range(12), atol=1e-12)
     t = np.linspace(0, time_law.duration, 77)
     law = next(b.law for b in paper.baselines if b.name == "double-S")
@@ -114,10 +114,10 @@ def test_time_laws_know_the_route_parameter_only(paper):
 
 
 def test_baselines_take_their_closed_form_times(paper):
-    assert quintic(paper.route, paper.limits).duration == pytest.approx(41.25, rel=1e-10)
-    assert double_s(paper.route, paper.limits).duration == pytest.approx(27.6, rel=1e-10)
-    assert double_s(paper.route, paper.limits, stop=True).duration == pytest.approx(29.7, rel=1e-10)
-    assert physical_limit(paper.route, paper.limits) == pytest.approx(27.6, rel=1e-14)
+    assert quintic(paper.schedule).duration == pytest.approx(41.25, rel=1e-10)
+    assert double_s(paper.route, paper.schedule).duration == pytest.approx(27.6, rel=1e-10)
+    assert double_s(paper.route, paper.schedule, stop=True).duration == pytest.approx(29.7, rel=1e-10)
+    assert physical_limit(paper.route, paper.schedule) == pytest.approx(27.6, rel=1e-14)
 
 
 def test_without_straight_nodes_there_is_one_double_s():

@@ -5,11 +5,10 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from tests.conftest import random_limits
+from tests.conftest import demands, random_limits
 from tests.oracles import QUINTIC_PEAKS, LinearProgram, smoothstep_duration
-from timelaw.easing import PolynomialBasis, utilisation
+from timelaw.easing import PolynomialBasis, fraction
 from timelaw.easing.double_s import least_time
-from timelaw.limits import limits_of
 from timelaw.nlp import RunProblem, Status
 from timelaw.nlp import exchange as exchange_module
 from timelaw.nlp.ipopt import Outcome
@@ -22,7 +21,7 @@ LP_AGREEMENT = 1e-4  # relative; what the project promises. Measured: some 1e-7.
 
 
 def solve(angles, limits, degree=9, continuity=2):
-    return solve_run(RunProblem(tuple(angles), limits_of(limits), PolynomialBasis(degree, continuity)))
+    return solve_run(RunProblem(demands(angles, limits), PolynomialBasis(degree, continuity)))
 
 
 def linear_program(angles, limits, degree=9, continuity=2, shares=(1.0,)):
@@ -36,7 +35,7 @@ def check_against_closed_forms(angles, limits, solution, continuity=2):
     assert solution.duration >= least_time(total, *bounds)
     if continuity == 2:
         assert solution.duration <= smoothstep_duration(QUINTIC_PEAKS, total, bounds) * (1 + 1e-9)
-    assert max(utilisation(angles, solution.timings, limits_of(limits))) <= 1
+    assert fraction(demands(angles, limits), solution.timings) <= 1
 
 
 def random_leg(seed):
@@ -136,9 +135,9 @@ def test_each_limit_bites(limit):
     tight = {name: bound * (0.3 if name == limit else 3) for name, bound in ROBOT.items()}
     angles = (120 * DEG,)
     with_row, without = solve(angles, tight), solve(angles, {n: b for n, b in tight.items() if n != limit})
-    only = limits_of({limit: tight[limit]})
-    assert utilisation(angles, with_row.timings, only)[0] == pytest.approx(1, rel=1e-5)
-    assert utilisation(angles, without.timings, only)[0] > 1.05
+    only = demands(angles, {limit: tight[limit]})
+    assert fraction(only, with_row.timings) == pytest.approx(1, rel=1e-5)
+    assert fraction(only, without.timings) > 1.05
 
 
 def test_equal_legs_of_a_run_mirror_each_other():
@@ -152,11 +151,11 @@ def failing(times):
     """A solver that fails for the first `times` calls, and says so."""
     real, calls = exchange_module.solve, []
 
-    def solve_or_fail(program, start, durations):
+    def solve_or_fail(symbols, start, bounds):
         calls.append(None)
         if len(calls) <= times:
             return Outcome(np.full(len(start), np.nan), solved=False, acceptable=False, iterations=300)
-        return real(program, start, durations)
+        return real(symbols, start, bounds)
 
     return solve_or_fail
 
@@ -177,12 +176,12 @@ def test_a_solver_that_always_fails_leaves_the_best_closed_form(monkeypatch):
     assert solution.duration == pytest.approx(
         smoothstep_duration(QUINTIC_PEAKS, 240 * DEG, tuple(ROBOT.values()))
     )
-    assert max(utilisation((120 * DEG,) * 2, solution.timings, limits_of(ROBOT))) <= 1
+    assert fraction(demands((120 * DEG,) * 2, ROBOT), solution.timings) <= 1
 
 
 def test_a_solver_that_claims_success_with_a_slow_law_is_not_believed(monkeypatch):
-    def slow(_program, start, durations):
-        return Outcome(start * np.where(np.arange(len(start)) < durations, 50.0, 1.0), True, True, 1)
+    def slow(_symbols, start, _bounds):
+        return Outcome(start * np.where(np.arange(len(start)) < 1, 50.0, 1.0), True, True, 1)
 
     monkeypatch.setattr(exchange_module, "solve", slow)
     monkeypatch.setattr(exchange_module, "ROUNDS", 1)
@@ -190,3 +189,24 @@ def test_a_solver_that_claims_success_with_a_slow_law_is_not_believed(monkeypatc
     assert solution.duration <= smoothstep_duration(QUINTIC_PEAKS, 120 * DEG, tuple(ROBOT.values())) * (
         1 + 1e-9
     )
+
+
+@pytest.mark.parametrize("tiny", [1e-2, 1e-3, 1e-4, 1e-5])
+def test_a_tiny_leg_inside_a_run_costs_next_to_nothing(tiny):
+    """Two legs of 1 rad take 2.6647 s; a node shortly after their middle need not slow them down."""
+    without, with_node = solve((1.0, 1.0), ROBOT), solve((1.0, tiny, 1.0), ROBOT)
+    assert with_node.duration <= without.duration + 1.01 * tiny / ROBOT["velocity"] + 0.01
+
+
+@pytest.mark.parametrize(("degree", "continuity"), [(6, 2), (8, 3)])
+@pytest.mark.parametrize("given", [["velocity"], ["velocity", "acceleration", "jerk"]])
+def test_where_the_smoothstep_is_the_optimum_the_solver_has_not_failed(given, degree, continuity):
+    solution = solve((0.66,), {name: ROBOT[name] for name in given}, degree, continuity)
+    assert solution.status is Status.OPTIMAL
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_the_highest_degree_is_held_to_the_last_digit(seed):
+    angles, limits, _, _ = random_leg(seed)
+    solution = solve(angles, limits, 31, 3)
+    assert fraction(demands(angles, limits), solution.timings) <= 1

@@ -14,7 +14,8 @@ route:
 limits:
   velocity: 60 deg/s
 """
-KEYS = "timelaw, name, route, limits, nodes, easing, objective, baselines, output"
+KEYS = "timelaw, name, route, body, limits, nodes, segments, easing, objective, baselines, output"
+LIMITS = "velocity, acceleration, jerk, snap, torque, momentum"
 LATTICES = "16-cell, tesseract, 24-cell, 600-cell, 120-cell"
 
 
@@ -37,9 +38,9 @@ CASES = {
     "duplicate key": (GOOD + "name: again\n", '8:1: duplicate key "name"'),
     "duplicate limit": (GOOD + "  velocity: 1 deg/s\n", '8:3: duplicate key "velocity"'),
     "unknown key": (GOOD + "limit: 3\n", f'8:1: unknown key "limit"; allowed: {KEYS}; did you mean "limits"?'),
-    "unknown limit": (GOOD + "  velocty: 3 deg/s\n", '8:3: limits: unknown key "velocty"; allowed: velocity, acceleration, jerk; did you mean "velocity"?'),
-    "unknown, nothing near": (GOOD + "  xyz: 3\n", '8:3: limits: unknown key "xyz"; allowed: velocity, acceleration, jerk'),
-    "a key that is no text": (GOOD + "1: 2\n", "8:1: the key 1 is not a text"),
+    "unknown limit": (GOOD + "  velocty: 3 deg/s\n", f'8:3: limits: unknown key "velocty"; allowed: {LIMITS}; did you mean "velocity"?'),
+    "unknown, nothing near": (GOOD + "  xyz: 3\n", f'8:3: limits: unknown key "xyz"; allowed: {LIMITS}'),
+    "a key that is no text": (GOOD + "1: 2\n", f'8:1: unknown key "1"; allowed: {KEYS}'),
     "missing version": (replaced("timelaw: 1\n", ""), '1:1: missing key "timelaw"'),
     "missing route": ("timelaw: 1\nname: a\nlimits: {jerk: 1 rad/s^3}\n", '1:1: missing key "route"'),
     "missing orientations": (replaced("  orientations: {lattice: 24-cell}\n", ""), '4:3: route: missing key "orientations"'),
@@ -60,7 +61,7 @@ CASES = {
     "tour of one": (replaced("paper", "[1]"), "5:9: route.tour: a tour needs at least two labels"),
     "tour label": (replaced("paper", "[1, 2.5]"), "5:9: route.tour: a label is a number or a text, not 2.5"),
     "closed": (replaced("paper", "paper\n  closed: yes"), '6:11: route.closed: "yes"; allowed: true, false'),
-    "no limits": (replaced("\n  velocity: 60 deg/s", " {}"), "6:9: limits: at least one of velocity, acceleration, jerk must bound the motion"),
+    "no limits": (replaced("\n  velocity: 60 deg/s", " {}"), f"6:9: limits: at least one of {LIMITS} must be given"),
     "bare number": (replaced("60 deg/s", "60"), '7:13: limits.velocity: "60" has no unit; write an angular velocity like "60 deg/s"'),
     "wrong dimension": (replaced("60 deg/s", "60 deg/s^2"), '7:13: limits.velocity: "60 deg/s^2" is not an angular velocity; write it like "60 deg/s"'),
     "a frequency is no velocity": (replaced("60 deg/s", "60 Hz"), '7:13: limits.velocity: "60 Hz" is not an angular velocity; write it like "60 deg/s"'),
@@ -70,15 +71,15 @@ CASES = {
     "negative limit": (replaced("60 deg/s", "-60 deg/s"), '7:13: limits.velocity: "-60 deg/s" is out of range; 1e-09 to 1e+09 rad/s are allowed'),
     "zero limit": (replaced("60 deg/s", "0 deg/s"), '7:13: limits.velocity: "0 deg/s" is out of range; 1e-09 to 1e+09 rad/s are allowed'),
     "huge limit": (replaced("60 deg/s", "1e300 deg/s"), '7:13: limits.velocity: "1e300 deg/s" is out of range; 1e-09 to 1e+09 rad/s are allowed'),
-    "limit as list": (replaced("60 deg/s", "[60 deg/s]"), '7:13: limits.velocity: expected an angular velocity like "60 deg/s"'),
-    "continuity": (GOOD + "nodes: {continuity: 1}\n", "8:21: nodes.continuity: 1; allowed: 2, 3"),
+    "limit as list": (replaced("60 deg/s", "[60 deg/s]"), '7:13: limits.velocity: 1 values; one for the norm or three for the body axes are needed'),
+    "continuity": (GOOD + "nodes: {continuity: 5}\n", "8:21: nodes.continuity: 5; allowed: 1, 2, 3, 4"),
     "nodes as number": (GOOD + "nodes: 2\n", "8:8: nodes: 2; a mapping of keys and values is needed"),
     "basis": (GOOD + "easing: {basis: polynomal}\n", '8:17: easing.basis: "polynomal"; allowed: polynomial; did you mean "polynomial"?'),
     "degree too low": (GOOD + "easing: {degree: 4}\n", "8:18: easing.degree: 4; at least 5 is needed"),
     "degree too high": (GOOD + "easing: {degree: 32}\n", "8:18: easing.degree: 32; at most 31 is allowed"),
     "degree not whole": (GOOD + "easing: {degree: 9.5}\n", "8:18: easing.degree: 9.5; a whole number is needed"),
     "degree for continuity": (GOOD + "nodes: {continuity: 3}\neasing: {degree: 6}\n", "9:18: easing.degree: 6; continuity 3 at the nodes needs degree 7 or more"),
-    "objective": (GOOD + "objective: tme\n", '8:12: objective: "tme"; allowed: time; did you mean "time"?'),
+    "objective": (GOOD + "objective: tme\n", '8:12: objective: "tme"; allowed: time, or a mapping like {minimise: jerk, total_time: 60 s}'),
     "baseline": (GOOD + "baselines: [quintic, double]\n", '8:22: baselines[2]: "double"; allowed: quintic, double-s; did you mean "double-s"?'),
     "baselines as text": (GOOD + "baselines: quintic\n", '8:12: baselines: "quintic"; a list is needed'),
     "rate": (GOOD + "output: {rate: 100}\n", '8:16: output.rate: "100" has no unit; write a frequency like "100 Hz"'),

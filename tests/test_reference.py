@@ -39,7 +39,7 @@ def single_and_pair(bounds, angle, lengths):
 def test_reference_problems(name):
     bounds, angle, legs, runs, stopping, limit = CASES[name]
     design = reference(name)
-    assert Counter(len(run.angles) for run in design.route.runs) == runs
+    assert Counter(len(run.angles) for run in design.route.runs()) == runs
     np.testing.assert_allclose(design.route.angles, angle * DEG, rtol=1e-12)
     durations = {entry.name: entry.certificate.duration for entry in design.laws}
     quintic = legs * smoothstep_duration(QUINTIC_PEAKS, angle, bounds)

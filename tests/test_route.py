@@ -39,7 +39,7 @@ def test_the_papers_route():
     assert [node.label for node in way.nodes if node.kind == "straight"] == ["11", "8", "7"]
     turns = {round(float(np.degrees(node.turn)), 2) for node in way.nodes if node.kind == "corner"}
     assert turns == {70.53, 109.47}
-    assert [len(run.angles) for run in way.runs] == [1, 2, 2, 1, 2, 1, 1, 1]
+    assert [len(run.angles) for run in way.runs()] == [1, 2, 2, 1, 2, 1, 1, 1]
     axes = np.abs([leg.axis for leg in way.legs])
     np.testing.assert_allclose(axes, 1 / 3**0.5, atol=1e-15)
 
@@ -131,3 +131,20 @@ def test_the_route_parameter():
 def test_the_same_orientation_twice_in_a_row_is_refused(sign):
     with pytest.raises(InputError, match='"1" and "2" follow each other and are the same orientation'):
         through([[1, 0, 0, 0], [sign * 1, 0, 0, 0], [0, 1, 0, 0]])
+
+
+def test_half_turns_in_a_row_get_the_sense_that_goes_straight_on():
+    x = [1, 0, 0]
+    way = through([[1, 0, 0, 0], about(x, 180), about(x, 360), about(x, 300)])
+    assert [node.kind for node in way.nodes] == ["start", "straight", "straight", "end"]
+    np.testing.assert_allclose([leg.axis for leg in way.legs], [[-1, 0, 0]] * 3, atol=1e-12)
+
+
+@pytest.mark.parametrize("gap", [3e-10, 9e-10])
+def test_a_reversed_half_turn_still_meets_its_node(gap):
+    turn = np.degrees(2 * gap)
+    x = [1, 0, 0]
+    way = through([[1, 0, 0, 0], about(x, -(180 - turn)), about(x, -(180 - turn) + 60)])
+    for leg in way.legs:
+        np.testing.assert_allclose(np.abs(leg.orientation(np.array(1.0)) @ leg.end), 1, atol=1e-15)
+        assert np.linalg.norm(leg.orientation(np.array(1.0)) - leg.end) < 1e-14

@@ -1,5 +1,6 @@
 """The errors a user can cause, each with its exit code; everything else is a defect of ours."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 EXIT_DONE = 0
@@ -28,6 +29,12 @@ class Fault:
         if self.line is not None:
             place += f":{self.line}:{self.column}"
         return ": ".join(part for part in (place, self.where, self.message) if part)
+
+
+def some(names: Sequence[str], most: int = 6) -> str:
+    """The first names of a list, and how many there are."""
+    shown = ", ".join(names[:most])
+    return shown if len(names) <= most else f"{shown}, … ({len(names)} in all)"
 
 
 class TimelawError(Exception):

@@ -6,12 +6,12 @@ from pathlib import Path
 
 from timelaw.certificate import Certificate, certify
 from timelaw.easing import BASES
-from timelaw.limits import Rate, limits_of
 from timelaw.motion import QuaternionLaw, compose
 from timelaw.nlp import Optimised, optimise
 from timelaw.orientations import OrientationSet, orientations
 from timelaw.problem import Problem, Source, load
 from timelaw.route import Route, route
+from timelaw.schedule import Schedule, schedule
 from timelaw.time_law import BASELINES, TimeLaw, optimised
 from timelaw.tours import Tour, tour
 
@@ -37,7 +37,7 @@ class Design:
     orientations: OrientationSet
     tour: Tour
     route: Route
-    limits: tuple[Rate, ...]
+    schedule: Schedule
     solution: Optimised
     optimised: Certified
     baselines: tuple[Certified, ...]
@@ -60,15 +60,15 @@ def design(path: str | Path, progress: Progress | None = None) -> Design:
         points = orientations(problem.route.orientations, path.parent)
         order = tour(problem.route, points)
         way = route(points, order)
-        limits = limits_of(problem.limits.given())
+        plan = schedule(problem, way)
         basis = BASES[problem.easing.basis](problem.easing.degree, problem.nodes.continuity)
-        solution = optimise(way, limits, basis, problem.objective, progress)
-    law = _certified(problem, way, optimised(solution))
-    baselines = [b for name in problem.baselines for b in BASELINES[name](way, limits)]
-    beside = tuple(_certified(problem, way, time_law) for time_law in baselines)
-    return Design(path, problem, source, points, order, way, limits, solution, law, beside)
+        solution = optimise(way, plan, basis, progress)
+    law = _certified(problem, way, optimised(solution, plan), plan)
+    baselines = [b for name in problem.baselines for b in BASELINES[name](way, plan)]
+    beside = tuple(_certified(problem, way, time_law, plan) for time_law in baselines)
+    return Design(path, problem, source, points, order, way, plan, solution, law, beside)
 
 
-def _certified(problem: Problem, way: Route, time_law: TimeLaw) -> Certified:
-    law = compose(problem.name, way, time_law, problem.limits.given())
+def _certified(problem: Problem, way: Route, time_law: TimeLaw, plan: Schedule) -> Certified:
+    law = compose(problem.name, way, time_law, plan)
     return Certified(time_law.name, law, certify(law))

@@ -8,7 +8,6 @@ from typing import Any
 from timelaw.certificate.continuity import Continuity, continuity
 from timelaw.certificate.geometry_check import GeometryCheck, check_geometry
 from timelaw.certificate.limit_check import LimitCheck, check_limits
-from timelaw.limits import LIMITS
 from timelaw.motion import QuaternionLaw
 from timelaw.motion.document import to_document
 
@@ -48,7 +47,7 @@ class Certificate:
 
     def _jumps(self) -> list[str]:
         """Limits of order k where a lower rate jumps: the limited rate is unbounded there."""
-        highest = max((LIMITS[c.limit](c.bound).order for c in self.limits), default=0)
+        highest = max((c.order for c in self.limits), default=0)
         if self.continuity.order >= highest - 1:
             return []
         rate = ("omega", "alpha", "jerk")[self.continuity.order]

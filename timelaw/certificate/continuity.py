@@ -8,23 +8,23 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from timelaw.limits import Rate
-from timelaw.motion import Arc, QuaternionLaw
+from timelaw.motion import Arc, QuaternionLaw, Segment
+from timelaw.motion.schema import RATES
 from timelaw.numerics.extrema import peaks
 from timelaw.route.leg import AXIS_TOLERANCE, turn_between
 
 Array = NDArray[np.float64]
 
-RATES = {1: "omega", 2: "alpha", 3: "jerk"}
-JUMP_TOLERANCE = 1e-6  # of the largest value of that rate in the law; control points resolve no better
+JUMP_TOLERANCE = 1e-5  # of the rate's largest value in the segments that meet; short pieces resolve no better
 
 
 @dataclass(frozen=True)
 class NodeReport:
     """ω, α, jerk (3,) in body axes just before and after a node, their jumps, and the class C^k.
 
-    Before the first and after the last node the body is at rest. `continuity` k: orientation and
-    its first k rates (1: ω, 2: ω and α, 3: jerk too) are continuous.
+    Before the first and after the last node the body has the rates that the law says, at rest
+    unless it says so. A dwell has two nodes of its label, its beginning and its end.
+    `continuity` k: orientation and its first k rates (1: ω, 2: ω and α, 3: jerk too) are continuous.
     """
 
     label: str
@@ -69,22 +69,28 @@ class Continuity:
 
 def continuity(law: QuaternionLaw) -> Continuity:
     """Compare the two sides of every node and of every break."""
-    scales = {k: _scale(law, k) for k in RATES}
-    nodes = [_node(law, index, scales) for index in range(len(law.segments) + 1)]
-    inside = min(_class(jumps, scales) for s in law.segments for jumps in _break_jumps(s))
-    return Continuity(tuple(nodes), inside, (scales[1], scales[2], scales[3]))
+    scales = _scales(law)
+    around = [scales[max(i - 1, 0) : i + 1] for i in range(len(scales) + 1)]
+    nodes = [
+        _node(law, index, {k: max(scale[k] for scale in near) for k in RATES})
+        for index, near in enumerate(around)
+    ]
+    inside = min(
+        _class(jumps, scale)
+        for segment, scale in zip(law.segments, scales, strict=True)
+        for jumps in _break_jumps(segment)
+    )
+    largest = [max(scale[k] for scale in scales) for k in RATES]
+    return Continuity(tuple(nodes), inside, (largest[0], largest[1], largest[2]))
 
 
 def _node(law: QuaternionLaw, index: int, scales: Mapping[int, float]) -> NodeReport:
     last = law.segments[index - 1] if index else None
     following = law.segments[index] if index < len(law.segments) else None
-    before, after = (_side(last, -1), _side(following, 0))
+    before = {k: last.side(k, -1) if last else law.before.get(k, np.zeros(3)) for k in RATES}
+    after = {k: following.side(k, 0) if following else law.after.get(k, np.zeros(3)) for k in RATES}
     jumps = {k: float(np.linalg.norm(after[k] - before[k])) for k in RATES}
-    turn = turn_between(last.axis, following.axis) if last and following else 0.0
-    if last is None or following is None:
-        kind = "start" if last is None else "end"
-    else:
-        kind = "straight" if turn <= AXIS_TOLERANCE else "corner"
+    kind, turn = _kind(last, following)
     return NodeReport(
         law.labels[index],
         float(law.times[index]),
@@ -97,30 +103,33 @@ def _node(law: QuaternionLaw, index: int, scales: Mapping[int, float]) -> NodeRe
     )
 
 
-def _side(segment: Arc | None, end: int) -> dict[int, Array]:
-    """Rates at the first (0) or last (-1) instant of a segment, of no segment zero."""
-    if segment is None:
-        return {k: np.zeros(3) for k in RATES}
-    return {
-        k: segment.angle / segment.duration**k * segment.easing.derivative(k)[end][0][end] * segment.axis
-        for k in RATES
-    }
+def _kind(last: Segment | None, following: Segment | None) -> tuple[str, float]:
+    """What a node is, and by how much the axis turns there."""
+    if last is None or following is None:
+        return ("start" if last is None else "end"), 0.0
+    if not (isinstance(last, Arc) and isinstance(following, Arc)):
+        return "dwell", 0.0
+    turn = turn_between(last.axis, following.axis)
+    return ("straight" if turn <= AXIS_TOLERANCE else "corner"), turn
 
 
-def _break_jumps(segment: Arc) -> list[dict[int, float]]:
+def _break_jumps(segment: Segment) -> list[dict[int, float]]:
     """Jumps of the travelled angle's rates at the breaks inside a segment; none counts as smooth."""
     rates = {k: segment.rates(k) for k in RATES}
     jumps = [dict.fromkeys(RATES, 0.0)]
-    for left, right in pairwise(range(len(segment.easing.pieces))):
-        jumps.append({k: abs(float(r[right][0][0] - r[left][0][-1])) for k, r in rates.items()})
+    for left, right in pairwise(range(len(segment.breaks) - 1)):
+        jumps.append({k: abs(float(r[right].control[0] - r[left].control[-1])) for k, r in rates.items()})
     return jumps
 
 
-def _scale(law: QuaternionLaw, order: int) -> float:
-    """The largest value of a rate in the motion."""
-    limit = Rate(RATES[order], order, 1.0)
-    rows = [limit.rows({order: c})[0].value for s in law.segments for c, _ in s.rates(order)]
-    return max(peak.lower for peak in peaks(rows))
+def _scales(law: QuaternionLaw) -> list[dict[int, float]]:
+    """The largest value of each rate in each segment."""
+    places = [(i, k) for i, s in enumerate(law.segments) for k in RATES for _ in s.rates(k)]
+    rates = [rate.control for s in law.segments for k in RATES for rate in s.rates(k)]
+    scales = [dict.fromkeys(RATES, 0.0) for _ in law.segments]
+    for (index, order), peak in zip(places, peaks(rates), strict=True):
+        scales[index][order] = max(scales[index][order], peak.lower)
+    return scales
 
 
 def _class(jumps: Mapping[int, float], scales: Mapping[int, float]) -> int:

@@ -5,7 +5,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from timelaw.motion import Arc, QuaternionLaw
+from timelaw.motion import Arc, QuaternionLaw, Segment
 from timelaw.numerics.quaternion import angle_between, from_axis_angle, multiply
 
 UNIT_TOLERANCE = 1e-9  # |norm - 1|
@@ -34,7 +34,11 @@ def check_geometry(law: QuaternionLaw) -> tuple[GeometryCheck, ...]:
     segments, total = law.segments, law.duration
     return (
         _worst("unit quaternions and axes", UNIT_TOLERANCE, [(s.name, _unit_error(s)) for s in segments]),
-        _worst("arcs end at their nodes", NODE_TOLERANCE, [(s.name, _arc_error(s)) for s in segments]),
+        _worst(
+            "arcs end at their nodes",
+            NODE_TOLERANCE,
+            [(s.name, _arc_error(s)) for s in segments if isinstance(s, Arc)],
+        ),
         _worst("segments join", NODE_TOLERANCE, _joints(law)),
         _worst(
             "times add up",
@@ -42,17 +46,24 @@ def check_geometry(law: QuaternionLaw) -> tuple[GeometryCheck, ...]:
             [(segments[0].name, abs(segments[0].start_time))]
             + [(b.name, abs(b.start_time - a.end_time)) for a, b in pairwise(segments)],
         ),
-        _worst("easings run from 0 to 1", EASING_TOLERANCE, [(s.name, _easing_error(s)) for s in segments]),
+        _worst(
+            "easings run from 0 to 1",
+            EASING_TOLERANCE,
+            [(s.name, _easing_error(s)) for s in segments if isinstance(s, Arc)],
+        ),
     )
 
 
 def _worst(check: str, tolerance: float, errors: list[tuple[str, float]]) -> GeometryCheck:
+    if not errors:
+        return GeometryCheck(check, 0.0, tolerance, "")
     where, worst = max(errors, key=lambda e: e[1] if e[1] == e[1] else np.inf)
     return GeometryCheck(check, worst, tolerance, where)
 
 
-def _unit_error(s: Arc) -> float:
-    return max(abs(float(np.linalg.norm(v)) - 1) for v in (s.start, s.end, s.axis))
+def _unit_error(s: Segment) -> float:
+    vectors = (s.start, s.end, s.axis) if isinstance(s, Arc) else (s.orientation,)
+    return max(abs(float(np.linalg.norm(v)) - 1) for v in vectors)
 
 
 def _arc_error(s: Arc) -> float:

@@ -1,21 +1,22 @@
 """Limits proved for all t: extrema of the law's polynomials, enclosed, against the bounds."""
 
+from collections import defaultdict
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
-
-from timelaw.limits import Rate, limits_of
-from timelaw.motion import QuaternionLaw
+from timelaw.easing import row_polynomials
+from timelaw.limits import Row
+from timelaw.motion import QuaternionLaw, Segment
 from timelaw.numerics.extrema import peaks
+from timelaw.numerics.polynomial import Polynomial
 
 
 @dataclass(frozen=True)
 class LimitCheck:
-    """One limit over the whole motion, in SI.
+    """One limit over the whole motion, or over the one leg that has it, in SI.
 
     `peak` is a value the law takes, at `time` [s] in `segment`; `upper` a bound it never exceeds,
-    rounding included. The limit holds if `upper` ≤ `bound`; no tolerance.
+    rounding included. The limit holds if `upper` ≤ `bound`; no tolerance. `order` is the highest
+    rate that enters it.
     """
 
     limit: str
@@ -25,6 +26,7 @@ class LimitCheck:
     time: float
     segment: str
     unit: str
+    order: int
 
     @property
     def holds(self) -> bool:
@@ -42,38 +44,47 @@ class LimitCheck:
         return 1 - self.ratio
 
 
+@dataclass(frozen=True)
+class _Place:
+    row: Row
+    segment: Segment
+    piece: int
+    polynomial: Polynomial
+
+
 def check_limits(law: QuaternionLaw) -> tuple[LimitCheck, ...]:
-    """Every limit that the law carries."""
-    return tuple(check_limit(law, limit) for limit in limits_of(law.limits))
+    """Every limit that the law carries, axis by axis where it is given so, general ones first."""
+    groups: dict[str, list[_Place]] = defaultdict(list)
+    for segment in law.segments:
+        for row, own in law.rows(segment):
+            label = f"{row.label} on {own}" if own else row.label
+            groups[label] += [
+                _Place(row, segment, piece, polynomial)
+                for row, piece, polynomial in row_polynomials([row], segment.rates)
+            ]
+    names = sorted(groups, key=lambda label: " on " in label)
+    return tuple(_check(name, groups[name]) for name in names)
 
 
-def check_limit(law: QuaternionLaw, limit: Rate) -> LimitCheck:
-    """Enclose the largest value of a limit's rows over all segments and intervals."""
-    polynomials, errors, places = [], [], []
-    for index, segment in enumerate(law.segments):
-        rates = {k: segment.rates(k) for k in limit.orders}
-        for piece in range(len(segment.easing.pieces)):
-            rows = limit.rows({k: r[piece][0] for k, r in rates.items()})
-            rounding = limit.rows({k: r[piece][1] for k, r in rates.items()})
-            polynomials += [row.value for row in rows]
-            errors += [row.value for row in rounding]
-            places += [(index, piece)] * len(rows)
-    tops = peaks(polynomials)
-    uppers = [top.upper + error for top, error in zip(tops, errors, strict=True)]
+def _check(label: str, places: list[_Place]) -> LimitCheck:
+    """Enclose the largest value of one limit's rows; squares are given back as what they are squares of."""
+    tops = peaks([place.polynomial.control for place in places])
+    root = 1 / places[0].row.root
+    uppers = [(top.upper + p.polynomial.error) ** root for top, p in zip(tops, places, strict=True)]
     highest = max(range(len(tops)), key=lambda i: tops[i].lower)
-    index, piece = places[highest]
-    segment = law.segments[index]
+    place, top = places[highest], tops[highest]
+    start, end = place.segment.breaks[place.piece : place.piece + 2]
+    tau = float(start + top.at * (end - start))
     return LimitCheck(
-        limit.name,
-        limit.bound,
-        tops[highest].lower,
-        max(uppers),
-        segment.start_time + segment.duration * _tau(segment.easing.breaks, piece, tops[highest].at),
-        segment.name,
-        limit.unit,
+        label,
+        place.row.bound**root,
+        top.lower**root,
+        max(uppers) * (1 if root == 1 else ROOT_ROUNDING),
+        place.segment.start_time + place.segment.duration * tau,
+        place.segment.name,
+        place.row.unit,
+        max(place.row.orders),
     )
 
 
-def _tau(breaks: NDArray[np.float64], piece: int, local: float) -> float:
-    """τ of a point of an interval, [0, 1] within it."""
-    return float(breaks[piece] + local * (breaks[piece + 1] - breaks[piece]))
+ROOT_ROUNDING = 1 + 1e-15  # a root is rounded to within one unit in the last place

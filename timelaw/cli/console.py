@@ -4,9 +4,12 @@ import json
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from timelaw.errors import TimelawError
+
+if TYPE_CHECKING:
+    from timelaw.certificate import Certificate
 
 UNBOUNDED = 1000  # columns where no terminal sets the width
 
@@ -57,6 +60,25 @@ def print_table(headings: list[str], rows: list[list[str]]) -> None:
         table.add_row(*row)
     width = None if sys.stderr.isatty() else UNBOUNDED
     Console(stderr=True, highlight=False, width=width).print(table)
+
+
+def print_limits(certificate: "Certificate") -> None:
+    """The proved peaks of a law against its limits, on stderr."""
+    print_table(
+        ["limit", "bound", "proved peak", "at t [s]", "on leg", "margin", "holds"],
+        [
+            [
+                c.limit,
+                f"{c.bound:.6g} {c.unit}",
+                f"{c.upper:.6g}",
+                f"{c.time:.4f}",
+                c.segment,
+                f"{c.margin:.1e}",
+                "yes" if c.holds else "NO",
+            ]
+            for c in certificate.limits
+        ],
+    )
 
 
 def say(text: str) -> None:

@@ -4,7 +4,7 @@ import hashlib
 from pathlib import Path
 from typing import Any
 
-from timelaw.cli.console import print_json, print_table, progress, say
+from timelaw.cli.console import print_json, print_limits, print_table, progress, say
 from timelaw.errors import EXIT_DONE, EXIT_FINDINGS
 from timelaw.export import law_json, samples_csv
 from timelaw.export.atomic import write_text
@@ -62,31 +62,25 @@ def _files(done: Design, path: Path) -> dict[str, str]:
     }
 
 
-def _short(limit: str) -> str:
-    """A column heading that leaves the table within 80 columns."""
-    return limit if len(limit) <= 8 else f"{limit[:5]}."
-
-
 def _print(done: Design, rows: list[LawRow], folder: Path) -> None:
-    limits = [limit.name for limit in done.limits]
     print_table(
-        ["law", "time [s]", "to quintic", "to limit", *map(_short, limits), "class"],
+        ["law", "time [s]", "to quintic", "to limit", "peak/limit", "class"],
         [
             [
                 row.name,
                 f"{row.duration:.4f}",
                 f"{row.to_quintic:.4f}",
                 f"{row.to_limit:.4f}",
-                *(f"{row.peaks[name]:.4f}" for name in limits),
+                f"{max(row.peaks.values()):.6f}",
                 f"C{row.continuity}",
             ]
             for row in rows
         ],
     )
+    print_limits(done.optimised.certificate)
     for finding in done.optimised.certificate.findings():
         say(f"finding: {finding}")
     for status in sorted({s.status.value for s in done.solution.solutions}):
         say(f"runs: {status}")
-    say(f"{', '.join(limits)}: proved peak over limit")
     verdict = "certified: all limits hold for all t" if rows[0].holds else "NOT certified"
     say(f"{verdict}; report: {folder / 'report.html'}")

@@ -4,7 +4,7 @@ from pathlib import Path
 
 from timelaw.certificate import certify
 from timelaw.certificate.certificate import compare_with_record
-from timelaw.cli.console import print_json, print_table, say
+from timelaw.cli.console import print_json, print_limits, say
 from timelaw.errors import EXIT_DONE, EXIT_FINDINGS
 from timelaw.motion.law_file import read_law
 
@@ -15,21 +15,7 @@ def run(path: str, *, as_json: bool) -> int:
     certificate = certify(law)
     findings = [*certificate.findings(), *compare_with_record(certificate, document)]
     code = EXIT_FINDINGS if findings else EXIT_DONE
-    print_table(
-        ["limit", "bound", "proved peak", "at t [s]", "on leg", "margin", "holds"],
-        [
-            [
-                c.limit,
-                f"{c.bound:.9g} {c.unit}",
-                f"{c.upper:.9g}",
-                f"{c.time:.6f}",
-                c.segment,
-                f"{c.margin:.2e}",
-                "yes" if c.holds else "NO",
-            ]
-            for c in certificate.limits
-        ],
-    )
+    print_limits(certificate)
     for finding in findings:
         say(f"finding: {finding}")
     say(

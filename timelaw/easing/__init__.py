@@ -2,8 +2,17 @@
 
 from timelaw.easing.easing import Easing, Timing
 from timelaw.easing.polynomial import PolynomialBasis
-from timelaw.easing.stretch import fit_to_limits, utilisation
+from timelaw.easing.stretch import fit_to_limits, fraction, row_polynomials, utilisation
 
 BASES = {"polynomial": PolynomialBasis}
 
-__all__ = ["BASES", "Easing", "PolynomialBasis", "Timing", "fit_to_limits", "utilisation"]
+__all__ = [
+    "BASES",
+    "Easing",
+    "PolynomialBasis",
+    "Timing",
+    "fit_to_limits",
+    "fraction",
+    "row_polynomials",
+    "utilisation",
+]

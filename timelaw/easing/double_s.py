@@ -6,21 +6,9 @@ same angle is faster, whatever its form: this is the physical limit that reports
 Jerk alone gives T = ∛(32 θ/j), acceleration alone 2√(θ/a), velocity alone θ/w.
 """
 
-from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import pairwise
 from math import inf, sqrt
 
-import numpy as np
-
-from timelaw.easing.easing import Easing, Timing
-from timelaw.easing.stretch import fit_to_limits
-from timelaw.limits import Rate
-from timelaw.numerics.bernstein import hermite_matrix
-
-BISECTIONS = 80  # a monotone cubic is solved to the last bit
-WRITTEN_TOLERANCE = 1e-7  # relative time that rounding of control points may cost unnoticed
-JERK_FACTORS = (1.0, 1 - 1e-6, 1 - 1e-5, 1 - 1e-4, 0.999, 0.99, 0.9, 0.5, 0.2, 0.1, 0.03, 0.01, 0.003, 0.001)
 NEGLIGIBLE = 1e-12  # a phase shorter than this part of the whole is rounding, not a phase
 
 
@@ -88,73 +76,3 @@ def _mirrored(phase: Phase, angle: float) -> Phase:
     """The phase run backwards from the end of the motion: φ(T - t) = θ - φ(t)."""
     reached, velocity, acceleration, jerk = phase.at(phase.duration)
     return Phase(phase.duration, angle - reached, velocity, -acceleration, jerk)
-
-
-def run_timings(angles: Sequence[float], w: float, a: float, j: float) -> tuple[Timing, ...]:
-    """The profile over a whole run, cut at the nodes it passes: one timing per leg."""
-    total = float(sum(angles))
-    phases = profile(total, w, a, j)
-    timings: list[Timing] = []
-    start = 0.0
-    for angle in angles[:-1]:
-        inside, phases = _cut(phases, start + angle)
-        timings.append(_timing(inside, start, angle))
-        start += angle
-    return (*timings, _timing(phases, start, angles[-1]))
-
-
-def bounds(limits: Sequence[Rate]) -> tuple[float, float, float]:
-    """Velocity, acceleration and jerk limits, inf for one that is not there."""
-    w, a, j = (next((limit.bound for limit in limits if limit.order == k), inf) for k in (1, 2, 3))
-    return w, a, j
-
-
-def fitted_run_timings(angles: Sequence[float], limits: Sequence[Rate]) -> tuple[Timing, ...]:
-    """The profile over a run as it can be written in control points, within the limits for certain.
-
-    Control points near 1 resolve 1e-16, so a phase of width h of the leg has its jerk rounded by
-    some 1e-15/h³: where a jerk phase, or what a node cuts off from one, is very short, the exact
-    stretch costs time. Then a slightly slower profile that moves the phases is faster as written.
-    """
-    w, a, j = bounds(limits)
-    ideal = least_time(float(sum(angles)), w, a, j)
-    best: tuple[Timing, ...] = ()
-    least = inf
-    for factor in JERK_FACTORS if j < inf else JERK_FACTORS[:1]:
-        timings = fit_to_limits(angles, run_timings(angles, w, a, j * factor), limits)
-        total = sum(timing.duration for timing in timings)
-        if total < least:
-            best, least = timings, total
-        if least <= ideal * (1 + WRITTEN_TOLERANCE):
-            break
-    return best
-
-
-def _cut(phases: list[Phase], angle: float) -> tuple[list[Phase], list[Phase]]:
-    """The phases before and after the instant at which `angle` is reached."""
-    index = max(i for i, p in enumerate(phases) if p.angle < angle)
-    phase, low, high = phases[index], 0.0, phases[index].duration
-    for _ in range(BISECTIONS):
-        middle = (low + high) / 2
-        low, high = (middle, high) if phase.at(middle)[0] < angle else (low, middle)
-    first = Phase(high, phase.angle, phase.velocity, phase.acceleration, phase.jerk)
-    left = phase.duration - high
-    rest = [Phase(left, *phase.at(high))] if left > NEGLIGIBLE * phase.duration else []
-    return [*phases[:index], first], [*rest, *phases[index + 1 :]]
-
-
-def _timing(phases: list[Phase], start: float, angle: float) -> Timing:
-    """One leg's phases as a piecewise cubic easing from exactly 0 to exactly 1."""
-    durations = np.array([p.duration for p in phases])
-    duration = float(np.sum(durations))
-    breaks = np.concatenate([[0.0], np.cumsum(durations) / duration])
-    breaks[-1] = 1.0
-    hermite = hermite_matrix(3, 4)
-    pieces = []
-    for p in phases:
-        scaled = [p.angle - start, p.velocity * p.duration, p.acceleration * p.duration**2]
-        pieces.append(hermite @ np.array([*scaled, p.jerk * p.duration**3]) / angle)
-    pieces[0][0], pieces[-1][-1] = 0.0, 1.0
-    for before, after in pairwise(pieces):
-        before[-1] = after[0]
-    return Timing(duration, Easing(breaks, tuple(pieces)))

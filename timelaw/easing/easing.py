@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from timelaw.numerics.bernstein import derivative_rounding, differentiate, evaluate
+from timelaw.numerics.polynomial import Polynomial
 
 Array = NDArray[np.float64]
 Side = Literal["left", "right"]
@@ -50,11 +51,11 @@ class Easing:
             value[here] = evaluate(differentiate(self.pieces[index], order), local) / width**order
         return value
 
-    def derivative(self, order: int) -> list[tuple[Array, float]]:
-        """Control points of d^k f/dτ^k on each interval, with a bound on their rounding errors."""
+    def derivative(self, order: int) -> list[Polynomial]:
+        """The polynomials d^k f/dτ^k on the intervals, each over [0, 1]."""
         widths: list[float] = np.diff(self.breaks).tolist()
         return [
-            (differentiate(piece, order) / width**order, derivative_rounding(piece, order) / width**order)
+            Polynomial(differentiate(piece, order), derivative_rounding(piece, order)) * width**-order
             for piece, width in zip(self.pieces, widths, strict=True)
         ]
 
@@ -66,10 +67,9 @@ class Timing:
     duration: float
     easing: Easing
 
-    def rates(self, angle: float, order: int) -> list[tuple[Array, float]]:
-        """Control points of d^k φ/dt^k = θ f^(k)/T^k, interval by interval, with rounding bounds."""
-        scale = angle / self.duration**order
-        return [(scale * c, scale * error) for c, error in self.easing.derivative(order)]
+    def rates(self, angle: float, order: int) -> list[Polynomial]:
+        """The polynomials d^k φ/dt^k = θ f^(k)/T^k on the intervals."""
+        return [piece * (angle / self.duration**order) for piece in self.easing.derivative(order)]
 
     def stretched(self, factor: float) -> "Timing":
         """The same easing in `factor` times the time."""

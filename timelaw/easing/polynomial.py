@@ -1,5 +1,6 @@
 """One polynomial per leg, of any degree ≥ 2r + 1, as a linear map of what the solver may choose."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -13,6 +14,7 @@ Array = NDArray[np.float64]
 
 
 CONDITIONED_ORDER = 3  # the highest derivative that is limited depends most wildly on control points
+GRID = 8  # points per degree on which extrema are looked for
 SIZE = 100.0  # of that derivative, typically: the quintic's third derivative peaks at 60
 
 
@@ -55,7 +57,7 @@ class PolynomialBasis:
     @cached_property
     def _triangle(self) -> Array:
         """Upper triangle that takes inner control points to the solver's variables."""
-        effect = self.values(self.points(CONDITIONED_ORDER), CONDITIONED_ORDER)[:, self._inner]
+        effect = self.values(self.points([CONDITIONED_ORDER]), CONDITIONED_ORDER)[:, self._inner]
         return np.array(np.linalg.qr(effect)[1] / SIZE)
 
     @cached_property
@@ -83,16 +85,28 @@ class PolynomialBasis:
         """Matrix (m, d+1) that takes control points to the k-th derivative at the points τ (m,)."""
         return basis_matrix(self.degree, tau, order)
 
-    def points(self, order: int) -> Array:
-        """Points in (0, 1) at which to demand a limit first: Chebyshev's, where extrema crowd at the ends.
+    def points(self, orders: Sequence[int]) -> Array:
+        """Points in [0, 1] at which to demand a limit first: Chebyshev's, where extrema crowd at the ends.
 
-        One more than the k-th derivative has extrema, so that it cannot hide between all of them.
+        Twice as many as the polynomial of these rates has extrema, so that none hides between.
         """
-        count = 2 * (self.degree - order) + 3
-        return (1 - np.cos(np.pi * np.arange(count) / (count - 1))) / 2
+        return _chebyshev(2 * (self.degree - min(orders)) + 2)
+
+    def grid(self) -> Array:
+        """Points fine enough to bracket every extremum of a rate."""
+        return _chebyshev(GRID * self.degree)
+
+    def quadrature(self) -> tuple[Array, Array]:
+        """Nodes and weights on [0, 1], exact for the fourth power of the easing."""
+        nodes, weights = np.polynomial.legendre.leggauss(2 * self.degree)
+        return (nodes + 1) / 2, weights / 2
 
     def free_of(self, easing: Easing) -> Array:
         """The solver's variables x of a polynomial easing of at most this degree."""
         left, right = ([float(easing(end, i)) for i in range(self.continuity + 1)] for end in (0.0, 1.0))
         rest = elevate(easing.pieces[0], self.degree) - self.from_left @ left - self.from_right @ right
         return np.array(self._triangle @ rest[self._inner])
+
+
+def _chebyshev(intervals: int) -> Array:
+    return np.array((1 - np.cos(np.pi * np.arange(intervals + 1) / intervals)) / 2)

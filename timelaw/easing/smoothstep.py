@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from timelaw.easing.easing import Easing, Timing
-from timelaw.limits import Rate
-from timelaw.numerics.bernstein import differentiate, evaluate, split
-from timelaw.numerics.extrema import peaks
+from timelaw.easing.stretch import fit_to_limits
+from timelaw.numerics.bernstein import evaluate, split
+from timelaw.schedule import Demand
 
 Array = NDArray[np.float64]
 
@@ -24,48 +24,43 @@ def smoothstep(continuity: int) -> Array:
     return np.repeat([0.0, 1.0], continuity + 1)
 
 
-def least_duration(control: Array, angle: float, limits: Sequence[Rate]) -> float:
-    """Least T [s] for a polynomial easing over θ: max over limits of (θ max|f^(k)|/bound)^(1/k).
+def leg_timing(demand: Demand, continuity: int) -> Timing:
+    """The smoothstep over one leg, from stop to stop, in its least time.
 
-    For the quintic, whose derivatives peak at 15/8, 10/√3 and 60:
+    The quintic's derivatives peak at 15/8, 10/√3 and 60, so that under norm limits
     T = max(1.875 θ/w, √(5.7735 θ/a), ∛(60 θ/j)).
     """
-    tops = peaks([differentiate(control, limit.order) for limit in limits])
-    return max(
-        limit.stretch(angle * top.lower / limit.bound) for limit, top in zip(limits, tops, strict=True)
-    )
+    return fit_to_limits([demand], [Timing(1.0, Easing.single(smoothstep(continuity)))])[0]
 
 
-def leg_timing(angle: float, limits: Sequence[Rate], continuity: int) -> Timing:
-    """The smoothstep over one leg, from stop to stop, in its least time."""
-    control = smoothstep(continuity)
-    return Timing(least_duration(control, angle, limits), Easing.single(control))
+def run_timings(demands: Sequence[Demand], continuity: int) -> tuple[Timing, ...]:
+    """One smoothstep over a whole run, in its least time, cut at the nodes it passes.
 
-
-def run_timings(angles: Sequence[float], limits: Sequence[Rate], continuity: int) -> tuple[Timing, ...]:
-    """One smoothstep over a whole run, in its least time, cut at the nodes it passes."""
-    control, total = smoothstep(continuity), float(sum(angles))
-    duration = least_duration(control, total, limits)
+    The slope is cut, whose control points are all positive, so that a leg which is a tiny part of
+    the run keeps its digits.
+    """
+    slope = np.diff(smoothstep(continuity))
+    left = float(sum(demand.angle for demand in demands))
+    duration = 1.0
     timings: list[Timing] = []
-    rest, travelled = control, 0.0
-    for angle in angles[:-1]:
-        share = _solve_monotone(rest, (travelled + angle) / total)
-        piece, rest = split(rest, share)
-        timings.append(Timing(duration * share, _normalised(piece)))
+    for demand in demands[:-1]:
+        share = _solve_monotone(_integrated(slope), demand.angle / left)
+        piece, slope = split(slope, share)
+        timings.append(Timing(duration * share, Easing.single(_integrated(piece))))
         duration *= 1 - share
-        travelled += angle
-    return (*timings, Timing(duration, _normalised(rest)))
+        left -= demand.angle
+    return fit_to_limits(demands, [*timings, Timing(duration, Easing.single(_integrated(slope)))])
 
 
-def _normalised(piece: Array) -> Easing:
-    """Shift and scale control points so that they run from exactly 0 to exactly 1."""
-    control = (piece - piece[0]) / (piece[-1] - piece[0])
-    control[0], control[-1] = 0.0, 1.0
-    return Easing.single(control)
+def _integrated(slope: Array) -> Array:
+    """Control points from exactly 0 to exactly 1 of the integral of a slope, scaled."""
+    control = np.concatenate([[0.0], np.cumsum(slope)]) / np.sum(slope)
+    control[-1] = 1.0
+    return control
 
 
 def _solve_monotone(control: Array, value: float) -> float:
-    """U with p(u) = value, for an increasing polynomial on [0, 1]."""
+    """The u with p(u) = value, for an increasing polynomial on [0, 1]."""
     low, high = 0.0, 1.0
     for _ in range(BISECTIONS):
         middle = (low + high) / 2

@@ -1,39 +1,59 @@
 """Bring timings to their limits: peaks proved on the polynomials, time stretched by the exact factor."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 
 from timelaw.easing.easing import Timing
-from timelaw.limits import Rate
+from timelaw.limits import Row
 from timelaw.numerics.extrema import peaks
+from timelaw.numerics.polynomial import Polynomial
+from timelaw.schedule import Demand
 
 CLEARANCE = 1e-12  # relative: covers the rounding of the stretched durations themselves
+REPETITIONS = 8
 
 
-def utilisation(angles: Sequence[float], timings: Sequence[Timing], limits: Sequence[Rate]) -> list[float]:
-    """For each limit, the proved peak over all legs divided by the bound."""
-    worst = []
-    for limit in limits:
-        pieces, bounds = [], []
-        for angle, timing in zip(angles, timings, strict=True):
-            rates = {k: timing.rates(angle, k) for k in limit.orders}
-            for index in range(len(timing.easing.pieces)):
-                row = limit.rows({k: r[index][0] for k, r in rates.items()})
-                error = limit.rows({k: r[index][1] for k, r in rates.items()})
-                pieces += [r.value for r in row]
-                bounds += [(e.value, r.bound) for r, e in zip(row, error, strict=True)]
-        tops = peaks(pieces)
-        worst.append(max((top.upper + e) / b for top, (e, b) in zip(tops, bounds, strict=True)))
-    return worst
+def row_polynomials(
+    rows: Sequence[Row], rates: Callable[[int], list[Polynomial]]
+) -> Iterator[tuple[Row, int, Polynomial]]:
+    """Each row on each interval of a leg, as a polynomial in time; `rates(k)` lists the k-th rate's."""
+    known = {order: rates(order) for order in {order for row in rows for order in row.orders}}
+    for row in rows:
+        for piece in range(len(known[row.orders[0]])):
+            yield row, piece, row.value({order: known[order][piece] for order in row.orders})
 
 
-def fit_to_limits(
-    angles: Sequence[float], timings: Sequence[Timing], limits: Sequence[Rate]
-) -> tuple[Timing, ...]:
+def utilisation(demands: Sequence[Demand], timings: Sequence[Timing]) -> list[tuple[Row, float]]:
+    """Every row of every leg with its proved peak over its bound."""
+    found = [
+        (row, polynomial)
+        for demand, timing in zip(demands, timings, strict=True)
+        for row, _, polynomial in row_polynomials(demand.rows, partial(timing.rates, demand.angle))
+    ]
+    tops = peaks([polynomial.control for _, polynomial in found])
+    return [
+        (row, (top.upper + polynomial.error) / row.bound)
+        for (row, polynomial), top in zip(found, tops, strict=True)
+    ]
+
+
+def fraction(demands: Sequence[Demand], timings: Sequence[Timing]) -> float:
+    """The largest part of any limit that is used, proved: above 1, a limit is broken."""
+    return max(float(ratio ** (1 / row.root)) for row, ratio in utilisation(demands, timings))
+
+
+def fit_to_limits(demands: Sequence[Demand], timings: Sequence[Timing]) -> tuple[Timing, ...]:
     """Stretch (or shrink) all legs of a run by one factor, so that the worst limit is just held.
 
-    One factor keeps rates equal from both sides at the nodes of the run; limits (w, a, j) under
-    time scaling c become (cw, c²a, c³j), so the factor is exact.
+    One factor keeps rates equal from both sides at the nodes of the run; every row is homogeneous
+    in time, so the factor is exact but for rounding, which a few repetitions with a growing
+    clearance absorb.
     """
-    ratios = utilisation(angles, timings, limits)
-    factor = max(limit.stretch(ratio) for limit, ratio in zip(limits, ratios, strict=True))
-    return tuple(timing.stretched(factor * (1 + CLEARANCE)) for timing in timings)
+    fitted, clearance = tuple(timings), CLEARANCE
+    for _ in range(REPETITIONS):
+        factor = max(ratio ** (1 / row.power) for row, ratio in utilisation(demands, fitted))
+        fitted = tuple(timing.stretched(factor * (1 + clearance)) for timing in fitted)
+        if fraction(demands, fitted) <= 1:
+            break
+        clearance *= 10
+    return fitted

@@ -1,6 +1,20 @@
-"""Limits: what the body's motion on a leg may not exceed, each a bound on polynomials in time."""
+"""Limits: what the body's motion may not exceed, on each leg a bound on polynomials in time."""
 
-from timelaw.limits.limit import LIMITS, limits_of
-from timelaw.limits.rate import Rate, Row
+from timelaw.limits.registry import LIMITS, Limit, binding, limits_of, rows_on
+from timelaw.limits.row import RateRow, Row, TorqueNormRow, TorqueRow
+from timelaw.problem.body import Bounds
+from timelaw.problem.model import NEEDS_INERTIA
 
-__all__ = ["LIMITS", "Rate", "Row", "limits_of"]
+__all__ = [
+    "LIMITS",
+    "NEEDS_INERTIA",
+    "Bounds",
+    "Limit",
+    "RateRow",
+    "Row",
+    "TorqueNormRow",
+    "TorqueRow",
+    "binding",
+    "limits_of",
+    "rows_on",
+]

@@ -1,48 +1,37 @@
-"""Norm limits on the angular velocity, acceleration and jerk: one class with an order."""
+"""Limits on angular velocity, acceleration, jerk and snap: one class with an order."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, NamedTuple
 
-UNITS = {1: "rad/s", 2: "rad/s²", 3: "rad/s³"}
+import numpy as np
+from numpy.typing import NDArray
 
+from timelaw.limits.row import RateRow
+from timelaw.problem.body import Bounds
 
-class Row(NamedTuple):
-    """One scalar demand on a leg, |value| ≤ bound at every instant; `label` says of what."""
-
-    label: str
-    value: Any
-    bound: float
+AXES = ("x", "y", "z")
+UNITS = {1: "rad/s", 2: "rad/s²", 3: "rad/s³", 4: "rad/s⁴"}
 
 
 @dataclass(frozen=True)
 class Rate:
-    """|d^k φ/dt^k| ≤ bound, φ the angle travelled.
+    """|d^k φ/dt^k| ≤ w for a norm, |n_i d^k φ/dt^k| ≤ w_i for three body axes.
 
-    On a leg the axis is fixed in the body, so |ω| = |φ'|, |α| = |φ''| and |j| = |φ'''|.
+    φ is the angle travelled: on a leg the axis n is fixed in the body, so ω = φ' n, α = φ'' n,
+    j = φ''' n.
     """
 
     name: str
     order: int
-    bound: float
+    bounds: Bounds
 
-    @property
-    def orders(self) -> tuple[int, ...]:
-        """Which time derivatives of the angle the rows are made of."""
-        return (self.order,)
-
-    @property
-    def unit(self) -> str:
-        """Unit of the bound."""
-        return UNITS[self.order]
-
-    def rows(self, rates: Mapping[int, Any]) -> tuple[Row, ...]:
-        """Rows for one leg; `rates[k]` is the k-th time derivative of the angle, in whatever form.
-
-        Symbols of the solver, control points of a polynomial, or numbers.
-        """
-        return (Row(self.name, rates[self.order], self.bound),)
-
-    def stretch(self, ratio: float) -> float:
-        """Factor on time that brings a peak of `ratio` times the bound down to it: ratio^(1/k)."""
-        return float(ratio ** (1 / self.order))
+    def on(self, axis: NDArray[np.float64]) -> tuple[RateRow, ...]:
+        """Rows on a leg about `axis` (3,)."""
+        unit = UNITS[self.order]
+        if not isinstance(self.bounds, tuple):
+            return (
+                RateRow(self.name, self.name, unit, self.order, float(np.linalg.norm(axis)), self.bounds),
+            )
+        return tuple(
+            RateRow(self.name, f"{self.name} {name}", unit, self.order, float(n), bound)
+            for name, n, bound in zip(AXES, axis, self.bounds, strict=True)
+        )

@@ -1,6 +1,7 @@
 """Segments of kind `arc`: a great-circle arc run through by an easing."""
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import ClassVar
 
 import numpy as np
@@ -8,6 +9,8 @@ from numpy.typing import NDArray
 
 from timelaw.easing import Easing, Timing
 from timelaw.easing.easing import Side
+from timelaw.limits import Bounds
+from timelaw.numerics.polynomial import Polynomial
 from timelaw.numerics.quaternion import from_axis_angle, multiply
 
 Array = NDArray[np.float64]
@@ -18,7 +21,8 @@ class Arc:
     """q = q_i ⊗ (cos(fθ/2), n sin(fθ/2)), f = easing((t - start_time)/duration).
 
     `start`, `end` (4,) and the unit `axis` n (3,), in body axes, are kept as they were given:
-    whether they agree with `angle` θ [rad] is for the certificate to say.
+    whether they agree with `angle` θ [rad] is for the certificate to say. `limits` hold on this
+    segment besides those of the law.
     """
 
     kind: ClassVar[str] = "arc"
@@ -32,6 +36,7 @@ class Arc:
     axis: Array
     angle: float
     easing: Easing
+    limits: Mapping[str, Bounds] = field(default_factory=dict)
 
     @property
     def name(self) -> str:
@@ -55,10 +60,15 @@ class Arc:
             return multiply(self.start, from_axis_angle(self.axis, self.angle * f))
         return np.array((self.angle / self.duration**order * f)[..., None] * self.axis)
 
-    def rates(self, order: int) -> list[tuple[Array, float]]:
-        """Control points of the k-th time derivative of the travelled angle, interval by interval.
+    @property
+    def breaks(self) -> Array:
+        """Breaks of the easing (p+1,) ⊂ [0, 1]."""
+        return self.easing.breaks
 
-        Each with a bound on its rounding errors; |n| counts, in case the axis is not a unit vector.
-        """
-        size = float(np.linalg.norm(self.axis))
-        return [(c * size, e * size) for c, e in self.timing.rates(self.angle, order)]
+    def rates(self, order: int) -> list[Polynomial]:
+        """The k-th time derivative of the travelled angle, a polynomial on each interval."""
+        return self.timing.rates(self.angle, order)
+
+    def side(self, order: int, end: int) -> Array:
+        """The k-th rate (3,) at the first (0) or last (-1) instant, from inside."""
+        return np.array(self.rates(order)[end].control[end] * self.axis)

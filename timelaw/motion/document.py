@@ -1,16 +1,18 @@
 """The law file, version 1, as plain data: quaternion law ⇄ the object that `law.json` holds."""
 
-from itertools import pairwise
-from typing import Annotated, Any, Literal
+from collections.abc import Callable, Mapping
+from typing import Any
 
 import numpy as np
-from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
+from pydantic import ValidationError
 
 from timelaw.easing import Easing
 from timelaw.errors import Fault, InputError
-from timelaw.limits import LIMITS
+from timelaw.limits import LIMITS, NEEDS_INERTIA, Bounds
 from timelaw.motion.arc import Arc
+from timelaw.motion.dwell import Dwell
 from timelaw.motion.quaternion_law import QuaternionLaw
+from timelaw.motion.schema import RATES, ArcDocument, DwellDocument, LawDocument
 
 FORMAT = "timelaw-law"
 VERSION = 1
@@ -20,77 +22,34 @@ CONVENTIONS = {
     "units": "rad, s",
 }
 
-Number = Annotated[float, Field(allow_inf_nan=False)]
-Vector3 = Annotated[list[Number], Field(min_length=3, max_length=3)]
-Vector4 = Annotated[list[Number], Field(min_length=4, max_length=4)]
-Positive = Annotated[float, Field(gt=0, allow_inf_nan=False)]
-
-
-class _Part(BaseModel):
-    """Unknown keys are left alone: a later version may write more."""
-
-    model_config = ConfigDict(strict=True, extra="ignore")
-
-
-class EasingDocument(_Part):
-    """Bernstein control points of f on each interval of `breaks` ⊂ [0, 1]."""
-
-    breaks: Annotated[list[Number], Field(min_length=2)]
-    bernstein: Annotated[
-        list[Annotated[list[Number], Field(min_length=2, max_length=64)]], Field(min_length=1)
-    ]
-
-    @model_validator(mode="after")
-    def _intervals(self) -> "EasingDocument":
-        ascending = all(a < b for a, b in pairwise(self.breaks))
-        if self.breaks[0] != 0 or self.breaks[-1] != 1 or not ascending:
-            raise ValueError("breaks must ascend from 0 to 1")
-        if len(self.bernstein) != len(self.breaks) - 1:
-            raise ValueError(f"{len(self.breaks) - 1} intervals need as many lists of control points")
-        return self
-
-
-class ArcDocument(_Part):
-    """A segment of kind `arc`."""
-
-    kind: Literal["arc"]
-    origin: Annotated[str, Field(alias="from")]
-    target: Annotated[str, Field(alias="to")]
-    start_time: Number
-    duration: Positive
-    start: Vector4
-    end: Vector4
-    axis: Vector3
-    angle: Positive
-    easing: EasingDocument
-
-
-class LawDocument(_Part):
-    """What a reader needs of a law file."""
-
-    format: Literal["timelaw-law"]
-    version: Literal[1]
-    name: str
-    conventions: dict[str, str]
-    duration: Positive
-    limits: dict[str, Positive]
-    segments: Annotated[list[ArcDocument], Field(min_length=1)]
-
 
 def to_document(law: QuaternionLaw) -> dict[str, Any]:
     """The part of the law file that defines the motion: format to segments, without certificate."""
-    return {
+    document: dict[str, Any] = {
         "format": FORMAT,
         "version": VERSION,
         "name": law.name,
         "conventions": CONVENTIONS,
         "duration": law.duration,
-        "limits": dict(law.limits),
-        "segments": [_segment(segment) for segment in law.segments],
+        "limits": _bounds(law.limits),
     }
+    if law.inertia is not None:
+        document["body"] = {"inertia": law.inertia.tolist()}
+    if law.before or law.after:
+        sides = {"before": law.before, "after": law.after}
+        document["outside"] = {
+            side: {RATES[k]: rate.tolist() for k, rate in rates.items()} for side, rates in sides.items()
+        }
+    document["segments"] = [_WRITERS[segment.kind](segment) for segment in law.segments]
+    return document
 
 
-def _segment(arc: Arc) -> dict[str, Any]:
+def _bounds(limits: Mapping[str, Bounds]) -> dict[str, Any]:
+    return {name: list(b) if isinstance(b, tuple) else b for name, b in limits.items()}
+
+
+def _write_arc(arc: Arc) -> dict[str, Any]:
+    own = {"limits": _bounds(arc.limits)} if arc.limits else {}
     return {
         "kind": arc.kind,
         "from": arc.origin,
@@ -101,11 +60,25 @@ def _segment(arc: Arc) -> dict[str, Any]:
         "end": arc.end.tolist(),
         "axis": arc.axis.tolist(),
         "angle": arc.angle,
+        **own,
         "easing": {
             "breaks": arc.easing.breaks.tolist(),
             "bernstein": [piece.tolist() for piece in arc.easing.pieces],
         },
     }
+
+
+def _write_dwell(dwell: Dwell) -> dict[str, Any]:
+    return {
+        "kind": dwell.kind,
+        "at": dwell.at,
+        "start_time": dwell.start_time,
+        "duration": dwell.duration,
+        "orientation": dwell.orientation.tolist(),
+    }
+
+
+_WRITERS: dict[str, Callable[[Any], dict[str, Any]]] = {"arc": _write_arc, "dwell": _write_dwell}
 
 
 def from_document(document: Any, path: str = "") -> QuaternionLaw:
@@ -120,18 +93,48 @@ def from_document(document: Any, path: str = "") -> QuaternionLaw:
         raise InputError(*(_fault(details, path) for details in error.errors())) from None
     if read.conventions != CONVENTIONS:
         raise InputError(Fault(f"{read.conventions}; allowed: {CONVENTIONS}", "conventions", path))
-    unknown = [name for name in read.limits if name not in LIMITS]
-    if unknown:
-        raise InputError(Fault(f'unknown limit "{unknown[0]}"; known: {", ".join(LIMITS)}', "limits", path))
-    return QuaternionLaw(read.name, tuple(_arc(s) for s in read.segments), read.limits)
+    inertia = np.array(read.body.inertia, dtype=float) if read.body else None
+    for limits in (read.limits, *(s.limits for s in read.segments if isinstance(s, ArcDocument))):
+        _check_limits(limits, inertia, path)
+    before, after = (
+        {
+            k: np.array(getattr(rates, name), dtype=float)
+            for k, name in RATES.items()
+            if any(getattr(rates, name))
+        }
+        for rates in (read.outside.before, read.outside.after)
+    )
+    segments = tuple(_arc(s) if isinstance(s, ArcDocument) else _dwell(s) for s in read.segments)
+    return QuaternionLaw(read.name, segments, _read_bounds(read.limits), inertia, before, after)
+
+
+def _check_limits(limits: Mapping[str, Any], inertia: Any, path: str) -> None:
+    for name in limits:
+        if name not in LIMITS:
+            raise InputError(Fault(f'unknown limit "{name}"; known: {", ".join(LIMITS)}', "limits", path))
+        if name in NEEDS_INERTIA and inertia is None:
+            raise InputError(Fault(f'a limit on the {name} needs "body": {{"inertia": …}}', "limits", path))
+
+
+def _read_bounds(limits: Mapping[str, Any]) -> dict[str, Bounds]:
+    return {name: (b[0], b[1], b[2]) if isinstance(b, list) else float(b) for name, b in limits.items()}
 
 
 def _arc(s: ArcDocument) -> Arc:
     easing = Easing(np.array(s.easing.breaks), tuple(np.array(c, dtype=float) for c in s.easing.bernstein))
     start, end, axis = (np.array(v, dtype=float) for v in (s.start, s.end, s.axis))
-    return Arc(s.origin, s.target, s.start_time, s.duration, start, end, axis, s.angle, easing)
+    limits = _read_bounds(s.limits)
+    return Arc(s.origin, s.target, s.start_time, s.duration, start, end, axis, s.angle, easing, limits)
+
+
+def _dwell(s: DwellDocument) -> Dwell:
+    return Dwell(s.at, s.start_time, s.duration, np.array(s.orientation, dtype=float))
 
 
 def _fault(details: Any, path: str) -> Fault:
-    where = "".join(f"[{p}]" if isinstance(p, int) else f".{p}" for p in details["loc"]).lstrip(".")
+    location = details["loc"]
+    named = [
+        p for i, p in enumerate(location) if not (p in _WRITERS and i and isinstance(location[i - 1], int))
+    ]
+    where = "".join(f"[{p}]" if isinstance(p, int) else f".{p}" for p in named).lstrip(".")
     return Fault(details["msg"], where, path)

@@ -1,29 +1,43 @@
 """The motion of the body as a function of time: orientation, matrices, and rates in body axes."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from timelaw.easing.easing import Side
+from timelaw.limits import Bounds, Row, limits_of, rows_on
 from timelaw.motion.arc import Arc
+from timelaw.motion.dwell import Dwell
 from timelaw.numerics.bernstein import integral_of_square
 from timelaw.numerics.quaternion import rotation_matrix
 from timelaw.route import Route
+from timelaw.schedule import Schedule
 from timelaw.time_law import TimeLaw
 from timelaw.time_law.time_law import locate
 
 Array = NDArray[np.float64]
 
+Segment = Arc | Dwell
+MAX_ORDER = 3  # q, ω, α and jerk are what a law is evaluated for
+
 
 @dataclass(frozen=True)
 class QuaternionLaw:
-    """Segments that follow each other from t = 0; `limits` are the bounds the law is made for, in SI."""
+    """Segments that follow each other from t = 0.
+
+    `limits` are the bounds the law is made for, in SI, `inertia` J (3, 3) [kg·m²] where they need
+    it. `before` and `after` are the rates (3,) by order with which the motion is entered and left;
+    an order that is not there is zero.
+    """
 
     name: str
-    segments: tuple[Arc, ...]
-    limits: Mapping[str, float]
+    segments: tuple[Segment, ...]
+    limits: Mapping[str, Bounds]
+    inertia: Array | None = None
+    before: Mapping[int, Array] = field(default_factory=dict)
+    after: Mapping[int, Array] = field(default_factory=dict)
 
     @property
     def times(self) -> Array:
@@ -71,27 +85,34 @@ class QuaternionLaw:
     def effort(self, order: int) -> float:
         """∫ |k-th rate|² dt over the motion, exact: k = 3 is the smoothness ∫|jerk|² dt [rad²/s⁵]."""
         return sum(
-            integral_of_square(control) * float(width) * segment.duration
+            integral_of_square(rate.control) * float(width) * segment.duration
             for segment in self.segments
-            for (control, _), width in zip(segment.rates(order), np.diff(segment.easing.breaks), strict=True)
+            for rate, width in zip(segment.rates(order), np.diff(segment.breaks), strict=True)
         )
 
+    def rows(self, segment: Segment) -> list[tuple[Row, str]]:
+        """What is demanded on a segment; with the segment's name where it is of that segment alone."""
+        if not isinstance(segment, Arc):
+            return []
+        general = rows_on(limits_of(self.limits, self.inertia), segment.axis)
+        own = rows_on(limits_of(segment.limits, self.inertia), segment.axis)
+        return [*((row, "") for row in general), *((row, segment.name) for row in own)]
 
-def compose(name: str, route: Route, time_law: TimeLaw, limits: Mapping[str, float]) -> QuaternionLaw:
+
+def compose(name: str, route: Route, time_law: TimeLaw, schedule: Schedule) -> QuaternionLaw:
     """Lay a time law along its route."""
-    times = time_law.times
-    segments = [
-        Arc(
-            leg.origin,
-            leg.target,
-            float(start),
-            timing.duration,
-            leg.start,
-            leg.end,
-            leg.axis,
-            leg.angle,
-            timing.easing,
-        )
-        for leg, timing, start in zip(route.legs, time_law.timings, times[:-1], strict=True)
-    ]
-    return QuaternionLaw(name, tuple(segments), dict(limits))
+    segments: list[Segment] = []
+    for kind, index, start, duration in time_law.intervals():
+        if kind == "dwell":
+            visits = [*(leg.start for leg in route.legs), route.legs[-1].end]
+            segments.append(Dwell(route.nodes[index].label, start, duration, visits[index]))
+            continue
+        leg, easing = route.legs[index], time_law.timings[index].easing
+        ends = (leg.origin, leg.target, start, duration, leg.start, leg.end, leg.axis, leg.angle)
+        segments.append(Arc(*ends, easing, schedule.leg_limits.get(index, {})))
+    outside = tuple(
+        {k: rate * leg.axis for k, rate in enumerate(rates, 1) if k <= MAX_ORDER}
+        for rates, leg in ((schedule.start, route.legs[0]), (schedule.end, route.legs[-1]))
+    )
+    before, after = outside
+    return QuaternionLaw(name, tuple(segments), schedule.limits, schedule.inertia, before, after)

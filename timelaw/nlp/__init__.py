@@ -1,6 +1,6 @@
 """The nonlinear program: durations and easing coefficients of each run under the limits."""
 
 from timelaw.nlp.optimise import Optimised, optimise
-from timelaw.nlp.run_problem import RunProblem, RunSolution, Status
+from timelaw.nlp.program import Budget, Program, RunProblem, Solution, Status
 
-__all__ = ["Optimised", "RunProblem", "RunSolution", "Status", "optimise"]
+__all__ = ["Budget", "Optimised", "Program", "RunProblem", "Solution", "Status", "optimise"]

@@ -2,97 +2,109 @@
 
 A limit is a semi-infinite row: it must hold for all τ. Points alone are broken between (on 20 of
 them by up to 0.9 %), so after each solution the local extrema beyond a limit join the points.
-The excess falls quadratically, and the last part is closed by stretching time exactly.
+The excess falls quadratically. The last part is closed by stretching time exactly where that is
+allowed; where times are given, the program keeps a small margin from the limits instead.
 """
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
-from timelaw.easing import Timing, fit_to_limits
-from timelaw.limits import Rate
-from timelaw.nlp.ipopt import solve
-from timelaw.nlp.run_problem import RunProblem, RunSolution, Status
+from timelaw.easing import Timing, fit_to_limits, fraction
+from timelaw.nlp.extrema_search import add_extrema
+from timelaw.nlp.ipopt import Outcome, solve
+from timelaw.nlp.program import Program, Solution, Status, total
 from timelaw.nlp.transcription import Points, pack, transcribe
+from timelaw.objectives import EFFORTS
+from timelaw.schedule import Demand
 
-Array = NDArray[np.float64]
-
-GAP = 1e-6  # relative, in time, between the law within the limits and the program's own optimum
+GAP = 1e-6  # relative: what the limits between the points may still cost, in time or in their used part
+MARGIN = 2e-6  # of every limit, where time cannot be stretched; GAP and rounding fit into it
 ROUNDS = 12
 INSIDE = 1.01  # a start on the limits themselves costs an interior-point method many iterations
-SAME_POINT = 1e-7  # in τ; nearer to a point, an extremum exceeds the bound by far less than GAP
-NEAR = 0.1  # relative; a grid value this close to the bound may hide an extremum beyond it
-ZOOMS = 5  # each narrows the bracket of an extremum eightfold
-ZOOM_POINTS = np.linspace(-1.0, 1.0, 17)
-GRID = 8  # points per degree on which extrema are looked for; the proof is the certificate's
 
 
-def solve_from(problem: RunProblem, start: Sequence[Timing]) -> RunSolution | None:
-    """Solve a run from given timings; None where the solver fails before it has any solution."""
-    unit = sum(timing.duration for timing in start) / len(start)
-    points: Points = [[problem.basis.points(limit.order) for limit in problem.limits] for _ in problem.angles]
-    best: RunSolution | None = None
+def solve_from(program: Program, start: Sequence[Timing]) -> Solution | None:
+    """Solve a program from given timings; None where the solver fails before it has any solution."""
+    units = np.array([timing.duration for timing in start])
+    points: Points = [
+        [run.basis.points(row.orders) for row in demand.rows]
+        for run in program.runs
+        for demand in run.demands
+    ]
+    room = 1.0 if program.elastic else 1.0 - MARGIN
+    scale = effort_of(program.objective if program.objective in EFFORTS else "jerk", program, start)
+    best: Solution | None = None
     timings, iterations = tuple(start), 0
     for rounds in range(1, ROUNDS + 1):
-        transcription = transcribe(problem, points, unit)
-        inside = [timing.stretched(INSIDE) for timing in timings]
-        outcome = solve(transcription.program, pack(problem, inside, unit), len(problem.angles))
+        transcription = transcribe(program, points, units, scale, room)
+        outcome = solve(transcription.symbols, _start(program, timings, units), transcription.bounds)
         iterations += outcome.iterations
         if not outcome.acceptable or not np.all(np.isfinite(outcome.x)):
             return best if best is None else replace(best, status=Status.ACCEPTABLE, iterations=iterations)
-        relaxed = transcription.timings(outcome.x)
-        timings = fit_to_limits(problem.angles, relaxed, problem.limits)
-        bound = sum(timing.duration for timing in relaxed)
+        found = transcription.timings(outcome.x)
+        timings, gap = _closed(program, found, outcome)
         status = Status.OPTIMAL if outcome.solved else Status.ACCEPTABLE
-        found = RunSolution(timings, status, iterations, rounds, bound, len(transcription.labels))
-        best = found if best is None or found.duration <= best.duration else replace(best, bound=bound)
-        if best.duration <= bound * (1 + GAP) or not _add_extrema(points, problem, relaxed):
+        solution = Solution(timings, status, iterations, rounds, gap, transcription.rows)
+        best = _better(program, best, solution)
+        if gap <= GAP or not add_extrema(points, program, found, _used(program, outcome)):
             break
     return best
 
 
-def _add_extrema(points: Points, problem: RunProblem, timings: Sequence[Timing]) -> bool:
-    """Add the local extrema beyond each limit to its points; False if there is nothing new.
-
-    The midpoints towards the points on both sides come along: where a rate stays flat at its
-    limit its extrema are as flat, and would be approached only by halves.
-    """
-    added = False
-    for k, (angle, timing) in enumerate(zip(problem.angles, timings, strict=True)):
-        for i, limit in enumerate(problem.limits):
-            known = points[k][i]
-            for top in _extrema(problem, limit, angle, timing):
-                place = int(np.searchsorted(known, top))
-                around = known[max(place - 1, 0) : place + 1]
-                if np.min(np.abs(around - top)) > SAME_POINT:
-                    points[k][i] = np.union1d(points[k][i], [top, *(around + top) / 2])
-                    added = True
-    return added
+def effort_of(name: str, program: Program, timings: Sequence[Timing]) -> float:
+    """∫ g dt of an effort along given timings, exact."""
+    effort, result = EFFORTS[name], 0.0
+    nodes, weights = np.polynomial.legendre.leggauss(64)
+    for demand, timing in zip(program.demands, timings, strict=True):
+        breaks = timing.easing.breaks
+        for left, right in pairwise(breaks):
+            tau = left + (right - left) * (nodes + 1) / 2
+            rates = {k: _rate(demand, timing, tau, k) for k in effort.orders}
+            g = effort.integrand(demand, rates)
+            result += float(np.sum(weights / 2 * g)) * timing.duration * float(right - left)
+    return result
 
 
-def _extrema(problem: RunProblem, limit: Rate, angle: float, timing: Timing) -> list[float]:
-    """Points τ of the local maxima of a limit's rows that exceed the bound."""
+def _rate(demand: Demand, timing: Timing, tau: NDArray[np.float64], order: int) -> NDArray[np.float64]:
+    return demand.angle / timing.duration**order * timing.easing(tau, order)
 
-    def sizes(tau: Array) -> list[Array]:
-        rates = {k: angle / timing.duration**k * timing.easing(tau, k) for k in limit.orders}
-        return [np.abs(row.value) / row.bound for row in limit.rows(rates)]
 
-    count = GRID * problem.basis.degree + 1
-    grid = (1 - np.cos(np.pi * np.arange(count) / (count - 1))) / 2  # extrema crowd at the ends
-    found: list[float] = []
-    for row, size in enumerate(sizes(grid)):
-        padded = np.concatenate([[-1.0], size, [-1.0]])
-        tops = np.flatnonzero((size >= padded[:-2]) & (size >= padded[2:]) & (size > 1 - NEAR))
-        centre = grid[tops]
-        width = np.maximum(
-            grid[np.minimum(tops + 1, count - 1)] - centre, centre - grid[np.maximum(tops - 1, 0)]
-        )
-        for _ in range(ZOOMS if len(tops) else 0):
-            around = np.clip(centre[:, None] + width[:, None] * ZOOM_POINTS, 0.0, 1.0)
-            values = sizes(around)[row]
-            best = np.argmax(values, axis=1)
-            centre, width = around[np.arange(len(centre)), best], width * (ZOOM_POINTS[1] - ZOOM_POINTS[0])
-        found += [float(t) for t, size_at in zip(centre, sizes(centre)[row], strict=True) if size_at > 1]
-    return found
+def _start(program: Program, timings: Sequence[Timing], units: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Variables of the last timings, a little inside the limits where time may be stretched."""
+    inside = [timing.stretched(INSIDE) for timing in timings] if program.elastic else list(timings)
+    used = fraction(program.demands, inside) if program.objective == "peak" else 0.0
+    return pack(program, inside, units, INSIDE * used)
+
+
+def _used(program: Program, outcome: Outcome) -> float:
+    """The part of the limits that the program allowed itself."""
+    return float(outcome.x[-1]) if program.objective == "peak" else 1.0
+
+
+def _closed(
+    program: Program, found: tuple[Timing, ...], outcome: Outcome
+) -> tuple[tuple[Timing, ...], float]:
+    """Timings after the exact stretch, where there is one, and the gap that is left."""
+    if program.elastic:
+        timings: list[Timing] = []
+        for run in program.runs:
+            own = found[len(timings) : len(timings) + len(run.demands)]
+            timings += fit_to_limits(run.demands, own)
+        return tuple(timings), total(timings) / total(found) - 1
+    excess = fraction(program.demands, found) / _used(program, outcome) - 1
+    return found, excess if program.objective == "peak" else excess + GAP  # within the margin, no gap
+
+
+def _better(program: Program, best: Solution | None, found: Solution) -> Solution:
+    """For least time the faster of two laws within the limits, else the one that exceeds them less."""
+    if best is None or not program.elastic:
+        return found
+    return (
+        found
+        if found.duration <= best.duration
+        else replace(best, gap=best.duration / found.duration - 1 + found.gap)
+    )

@@ -17,8 +17,8 @@ OPTIONS: dict[str, Any] = {
     "ipopt.acceptable_tol": 1e-6,
     "ipopt.max_iter": 300,
     "ipopt.mu_strategy": "adaptive",
+    "ipopt.fixed_variable_treatment": "make_parameter",
 }
-LEAST_DURATION = 1e-3  # in units of the start's mean duration; no limit lets a leg be that much faster
 
 
 @dataclass(frozen=True)
@@ -31,17 +31,14 @@ class Outcome:
     iterations: int
 
 
-def solve(program: dict[str, Any], start: Array, durations: int) -> Outcome:
-    """Minimise under -1 ≤ g ≤ 1 from `start` (n,); the first `durations` variables stay positive."""
-    solver = ca.nlpsol("run", "ipopt", program, OPTIONS)
-    lower = np.full(len(start), -np.inf)
-    lower[:durations] = LEAST_DURATION
-    result = solver(x0=start, lbx=lower, lbg=-1.0, ubg=1.0)
+def solve(symbols: dict[str, Any], start: Array, bounds: dict[str, Array]) -> Outcome:
+    """Minimise f under lbg ≤ g ≤ ubg and lbx ≤ x ≤ ubx from `start` (n,)."""
+    solver = ca.nlpsol("program", "ipopt", symbols, OPTIONS)
+    result = solver(x0=np.clip(start, bounds["lbx"], bounds["ubx"]), **bounds)
     status = solver.stats()
-    x = np.array(result["x"]).ravel()
     text = status["return_status"]
     return Outcome(
-        x,
+        np.array(result["x"]).ravel(),
         solved=text == "Solve_Succeeded",
         acceptable=text in ("Solve_Succeeded", "Solved_To_Acceptable_Level"),
         iterations=int(status["iter_count"]),

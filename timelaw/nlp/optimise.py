@@ -3,70 +3,104 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
-from timelaw.easing import PolynomialBasis, Timing, fit_to_limits, smoothstep
-from timelaw.limits import Rate
-from timelaw.nlp.run_problem import RunProblem, RunSolution, Status
+from timelaw.easing import PolynomialBasis, Timing, smoothstep
+from timelaw.errors import InfeasibleError
+from timelaw.nlp.program import Program, RunProblem, Solution, Status
 from timelaw.route import Route
+from timelaw.schedule import Schedule
 
-SAME_ANGLE = 1e-9  # rad; legs of a lattice agree to 1e-15
+SAME_TIME = 2e-6  # relative: the gap that the solver is left with, and where the closed form is the optimum
+
+Progress = Callable[[str, int, int], None]
 
 
 @dataclass(frozen=True)
 class Optimised:
-    """Solutions of the distinct runs, and which of them each run of the route uses."""
+    """Timings of all legs, the solutions behind them, and which of these each run of the route uses.
 
-    solutions: tuple[RunSolution, ...]
+    A coupled problem has one solution for all runs.
+    """
+
+    timings: tuple[Timing, ...]
+    solutions: tuple[Solution, ...]
     of_run: tuple[int, ...]
 
 
-def optimise(
-    route: Route,
-    limits: tuple[Rate, ...],
-    basis: PolynomialBasis,
-    objective: str = "time",
-    progress: Callable[[str, int, int], None] | None = None,
-) -> Optimised:
+def run_problems(route: Route, schedule: Schedule, basis: PolynomialBasis) -> list[RunProblem]:
+    """The runs of a route with what is demanded on them."""
+    runs = schedule.runs(route)
+    problems = [RunProblem(tuple(schedule.demands[k] for k in run.legs), basis) for run in runs]
+    problems[0] = replace(problems[0], start=schedule.start)
+    problems[-1] = replace(problems[-1], end=schedule.end)
+    return problems
+
+
+def least_time(problems: Sequence[RunProblem], progress: Progress | None = None) -> Optimised:
     """Least-time solutions of all runs; `progress` hears of distinct runs solved, and how many there are."""
-    runs = route.runs
-    keys = [tuple(round(angle / SAME_ANGLE) for angle in run.angles) for run in runs]
+    keys = [problem.key() for problem in problems]
     distinct = list(dict.fromkeys(keys))
     solutions = []
     for index, key in enumerate(distinct):
         if progress is not None:
             progress("solving distinct runs", index, len(distinct))
-        problem = RunProblem(runs[keys.index(key)].angles, limits, basis, objective)
-        solutions.append(solve_run(problem))
-    return Optimised(tuple(solutions), tuple(distinct.index(key) for key in keys))
+        solutions.append(solve_run(problems[keys.index(key)]))
+    of_run = tuple(distinct.index(key) for key in keys)
+    timings = tuple(timing for index in of_run for timing in solutions[index].timings)
+    return Optimised(timings, tuple(solutions), of_run)
 
 
-def solve_run(problem: RunProblem) -> RunSolution:
+def solve_run(problem: RunProblem) -> Solution:
     """The best of: the program from the smoothstep over the run, from stops at each node, closed form.
 
     A solver's word is not taken: its law counts only if, stretched to hold the limits, it is at
     least as fast as the closed-form law, which the basis contains.
+
+    Raises:
+        InfeasibleError: a run with given times or rates, which has no closed-form law, has no solution.
     """
     from timelaw.nlp.exchange import solve_from  # loads CasADi, which `timelaw verify` has no need of
 
     r = problem.basis.continuity
-    whole = fit_to_limits(
-        problem.angles, smoothstep.run_timings(problem.angles, problem.limits, r), problem.limits
-    )
-    total = sum(timing.duration for timing in whole)
-    fallback = RunSolution(whole, Status.CLOSED_FORM, bound=total)
-    if not problem.basis.free and len(problem.angles) == 1:
+    program = Program((problem,))
+    whole = smoothstep.run_timings(problem.demands, r)
+    fallback = Solution(whole, Status.CLOSED_FORM)
+    if problem.elastic and not problem.basis.free and len(problem.demands) == 1:
         return replace(fallback, status=Status.OPTIMAL)
-    first = solve_from(problem, whole)
-    if first is not None and first.duration <= fallback.duration and first.status is Status.OPTIMAL:
+    first = solve_from(program, whole)
+    if first is not None and first.status is Status.OPTIMAL and _plausible(program, first, fallback):
         return first
-    second = solve_from(problem, _second_start(problem))
+    second = solve_from(program, _second_start(problem))
     if second is not None and second.status is Status.OPTIMAL:
         second = replace(second, status=Status.SECOND_START)
-    return min((s for s in (second, first, fallback) if s is not None), key=lambda s: s.duration)
+    candidates = [s for s in (second, first) if s is not None and _plausible(program, s, fallback)]
+    if program.elastic:
+        candidates.append(fallback)
+    if not candidates:
+        raise InfeasibleError("a run with given durations or end rates has no law within the limits")
+    return min(candidates, key=lambda s: s.duration)
 
 
-def _second_start(problem: RunProblem) -> Sequence[Timing]:
+def _plausible(program: Program, solution: Solution, fallback: Solution) -> bool:
+    """Faster than the closed form; where time cannot be stretched, within the limits."""
+    if program.elastic:
+        return solution.duration <= fallback.duration * (1 + SAME_TIME)
+    from timelaw.easing import fraction
+
+    return fraction(program.demands, solution.timings) <= 1
+
+
+def _second_start(problem: RunProblem) -> list[Timing]:
     """Smoothsteps that stop at each node, in twice their least time: deep inside the limits."""
-    stops = [
-        smoothstep.leg_timing(angle, problem.limits, problem.basis.continuity) for angle in problem.angles
-    ]
+    stops = [smoothstep.leg_timing(demand, problem.basis.continuity) for demand in problem.demands]
     return [timing.stretched(2.0) for timing in stops]
+
+
+def optimise(
+    route: Route, schedule: Schedule, basis: PolynomialBasis, progress: Progress | None = None
+) -> Optimised:
+    """The law of least time on a route under a schedule.
+
+    Raises:
+        InfeasibleError: the schedule cannot be met.
+    """
+    return least_time(run_problems(route, schedule, basis), progress)

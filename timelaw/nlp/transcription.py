@@ -1,98 +1,207 @@
-"""A run as a nonlinear program in CasADi: scaled variables, labelled rows.
+"""Runs as a nonlinear program in CasADi: scaled variables, labelled rows.
 
-Variables, all of order one: durations T_k in units of `unit`; at each straight node the rates
-φ', φ'', …, φ^(r), in units of the mean angle over unit^i, shared by the legs on both sides, so
-that continuity holds by construction; the free control points of each leg. Rows: limit rows of
-the k-th derivative at chosen points τ, divided by the bound and written θ f^(k)/T^k ≤ bound
-(with T^k on the other side IPOPT needs several times the iterations).
+Variables, all of order one: durations T_k in units of those of the start; at each straight node
+the rates φ', φ'', …, φ^(r), in units of the run's mean angle over its mean duration^i, shared by
+the legs on both sides, so that continuity holds by construction; the free coefficients of each
+leg; for the objective `peak` the used part of the limits. Rows: those of the limits at chosen
+points τ, divided by their bounds and written θ f^(k)/T^k ≤ bound (with T^k on the other side IPOPT
+needs several times the iterations).
 """
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from itertools import accumulate
+from typing import Any
 
 import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
 from timelaw.easing import Timing
-from timelaw.nlp.run_problem import RunProblem
-from timelaw.objectives import OBJECTIVES
+from timelaw.nlp.program import Program, RunProblem
+from timelaw.objectives import EFFORTS
+from timelaw.schedule import Demand
 
 Array = NDArray[np.float64]
 
-Points = list[list[Array]]  # points[leg][limit]: where that limit is demanded on that leg
-
-
-class RowLabel(NamedTuple):
-    """What a row of the program demands: a limit, on a leg, at a point τ of it."""
-
-    leg: int
-    limit: str
-    tau: float
+Points = list[list[Array]]  # points[leg][row]: where that row is demanded on that leg
+LEAST_DURATION = 1e-6  # in units of the start's duration of that leg, which itself holds the limits
 
 
 @dataclass(frozen=True)
 class Transcription:
-    """The program, and the way from its variables back to timings."""
+    """Symbols and bounds of the program, and the way from its variables back to timings."""
 
-    problem: RunProblem
-    unit: float
-    program: dict[str, Any]
-    labels: tuple[RowLabel, ...]
+    program: Program
+    symbols: dict[str, Any]
+    bounds: dict[str, Array]
     unpack: Any
+    rows: int
 
     def timings(self, x: Array) -> tuple[Timing, ...]:
         """Timings of the legs from the variables (n,) of a solution."""
-        legs = len(self.problem.angles)
-        columns = np.array(self.unpack(x))
+        durations, *controls = (np.array(part).ravel() for part in self.unpack(x))
+        bases = [run.basis for run in self.program.runs for _ in run.demands]
         return tuple(
-            Timing(float(columns[0, k]), self.problem.basis.easing(columns[1:, k])) for k in range(legs)
+            Timing(float(t), basis.easing(c)) for t, basis, c in zip(durations, bases, controls, strict=True)
         )
 
 
-def transcribe(problem: RunProblem, points: Points, unit: float) -> Transcription:
-    """Build the program with limits demanded at the given points."""
-    legs, basis = len(problem.angles), problem.basis
-    scale = float(np.mean(problem.angles))
-    sizes = [legs, basis.continuity * (legs - 1), basis.free * legs]
-    variables = ca.MX.sym("x", sum(sizes))
-    durations, speeds, free = ca.vertsplit(variables, [0, *np.cumsum(sizes).tolist()])
-    speeds = ca.reshape(speeds, basis.continuity, legs - 1)
-    free = ca.reshape(free, basis.free, legs)
-    rest = ca.MX.zeros(basis.continuity)
-    rows: list[Any] = []
-    labels: list[RowLabel] = []
-    columns: list[Any] = []
-    for k, angle in enumerate(problem.angles):
-        powers = ca.vertcat(*[durations[k] ** i * scale / angle for i in range(1, basis.continuity + 1)])
-        before = ca.vertcat(0.0, speeds[:, k - 1] * powers if k else rest)
-        after = ca.vertcat(1.0, speeds[:, k] * powers if k < legs - 1 else rest)
-        control = basis.from_left @ before + basis.from_free @ free[:, k] + basis.from_right @ after
-        columns.append(ca.vertcat(unit * durations[k], control))
-        for limit, tau in zip(problem.limits, points[k], strict=True):
-            rates = {
-                order: angle / (unit * durations[k]) ** order * (ca.DM(basis.values(tau, order)) @ control)
-                for order in limit.orders
-            }
-            for row in limit.rows(rates):
-                rows.append(row.value / row.bound)
-                labels += [RowLabel(k, row.label, float(t)) for t in tau]
-    objective = OBJECTIVES[problem.objective](ca.vertsplit(durations))
-    program = {"x": variables, "f": objective, "g": ca.vertcat(*rows)}
-    unpack = ca.Function("unpack", [variables], [ca.horzcat(*columns)])
-    return Transcription(problem, unit, program, tuple(labels), unpack)
+@dataclass
+class _Leg:
+    """Symbols of one leg: duration [s], control points."""
+
+    duration: Any
+    control: Any
 
 
-def pack(problem: RunProblem, timings: Sequence[Timing], unit: float) -> Array:
-    """Variables (n,) of given timings whose easings the basis contains."""
-    scale = float(np.mean(problem.angles))
-    r = problem.basis.continuity
-    durations = [timing.duration / unit for timing in timings]
-    speeds = [
-        float(timing.easing(1.0, i, side="left")) * angle / (timing.duration / unit) ** i / scale
-        for timing, angle in zip(timings[:-1], problem.angles, strict=False)
-        for i in range(1, r + 1)
+def transcribe(
+    program: Program, points: Points, units: Array, effort_scale: float, room: float
+) -> Transcription:
+    """Build the program with limits demanded at the given points, `room` times the bounds."""
+    demands = program.demands
+    sizes = [len(demands), *(_sizes(run) for run in program.runs), 1]
+    x = ca.MX.sym("x", sum(sizes))
+    durations, *parts, peak = ca.vertsplit(x, [0, *accumulate(sizes)])
+    legs: list[_Leg] = []
+    for run, part in zip(program.runs, parts, strict=True):
+        own = slice(len(legs), len(legs) + len(run.demands))
+        legs += _run(run, durations[own] * ca.DM(units[own]), part, units[own])
+    rows = [
+        row
+        for demand, leg, run, tau in zip(demands, legs, _runs(program), points, strict=True)
+        for row in _limit_rows(demand, leg, run, tau)
     ]
-    free = [problem.basis.free_of(timing.easing) for timing in timings]
-    return np.concatenate([durations, speeds, *free])
+    with_peak = program.objective == "peak"
+    g = ca.vertcat(*(value for value, _ in rows))
+    if with_peak:
+        used = ca.vertcat(*(ca.repmat(peak**root, value.numel(), 1) for value, root in rows))
+        g = ca.vertcat(g - used, -g - used)
+    seconds = ca.vertcat(*(leg.duration for leg in legs))
+    times = [ca.sum1(seconds[: budget.legs]) / budget.time for budget in program.budgets]
+    upper = np.zeros(g.numel()) if with_peak else np.full(g.numel(), room)
+    lower = np.full(g.numel(), -np.inf) if with_peak else -upper
+    ones = np.ones(len(times))
+    bounds = {
+        **_variable_bounds(program, units, sizes),
+        "lbg": np.concatenate([lower, ones]),
+        "ubg": np.concatenate([upper, ones]),
+    }
+    objective = _objective(program, legs, float(np.mean(units)), effort_scale, peak)
+    symbols = {"x": x, "f": objective, "g": ca.vertcat(g, *times)}
+    unpack = ca.Function("unpack", [x], [seconds, *(leg.control for leg in legs)])
+    return Transcription(program, symbols, bounds, unpack, int(g.numel()))
+
+
+def _sizes(run: RunProblem) -> int:
+    legs = len(run.demands)
+    return run.basis.continuity * (legs - 1) + run.basis.free * legs
+
+
+def _runs(program: Program) -> list[RunProblem]:
+    """The run of each leg."""
+    return [run for run in program.runs for _ in run.demands]
+
+
+def _scale(run: RunProblem) -> float:
+    return float(np.mean([demand.angle for demand in run.demands]))
+
+
+def _run(run: RunProblem, durations: Any, part: Any, units: Array) -> list[_Leg]:
+    """The legs of a run, joined at its straight nodes by shared rates."""
+    count, basis = len(run.demands), run.basis
+    scale, unit = _scale(run), float(np.mean(units))
+    split = basis.continuity * (count - 1)
+    speeds = ca.reshape(part[:split], basis.continuity, count - 1)
+    free = ca.reshape(part[split:], basis.free, count)
+    ends = [_end(rates, basis.continuity, unit, scale) for rates in (run.start, run.end)]
+    legs = []
+    for k, demand in enumerate(run.demands):
+        powers = ca.vertcat(
+            *((durations[k] / unit) ** i * scale / demand.angle for i in range(1, basis.continuity + 1))
+        )
+        before = speeds[:, k - 1] if k else ends[0]
+        after = speeds[:, k] if k < count - 1 else ends[1]
+        control = basis.from_left @ ca.vertcat(0.0, before * powers) + basis.from_free @ free[:, k]
+        legs.append(_Leg(durations[k], control + basis.from_right @ ca.vertcat(1.0, after * powers)))
+    return legs
+
+
+def _end(rates: Sequence[float], continuity: int, unit: float, scale: float) -> Any:
+    """Rates outside a run in the units of its node variables; rest where none are given."""
+    given = [*rates, *[0.0] * continuity][:continuity]
+    return ca.DM([rate * unit**i / scale for i, rate in enumerate(given, 1)])
+
+
+def _rates(angle: float, leg: _Leg, run: RunProblem, tau: Array, orders: Sequence[int]) -> dict[int, Any]:
+    """Rates of the angle at the points τ."""
+    return {k: angle / leg.duration**k * (ca.DM(run.basis.values(tau, k)) @ leg.control) for k in orders}
+
+
+def _limit_rows(demand: Demand, leg: _Leg, run: RunProblem, points: Sequence[Array]) -> list[tuple[Any, int]]:
+    """Rows of one leg over their bounds, each with its root."""
+    rows = []
+    for row, tau in zip(demand.rows, points, strict=True):
+        rates = _rates(demand.angle, leg, run, tau, row.orders)
+        rows.append((row.value(rates) / row.bound, row.root))
+    return rows
+
+
+def _objective(program: Program, legs: Sequence[_Leg], unit: float, effort_scale: float, peak: Any) -> Any:
+    """Time in mean durations of the start; efforts over that of the start."""
+    if program.objective == "peak":
+        return peak
+    time = ca.sum1(ca.vertcat(*(leg.duration for leg in legs))) / unit
+    if program.objective == "time":
+        if program.elastic or effort_scale == 0:
+            return time
+        return time + TIE_WEIGHT * len(legs) * _effort("jerk", program, legs) / effort_scale
+    effort = _effort(program.objective, program, legs) / effort_scale
+    return effort if program.weight is None else time / len(legs) + program.weight * effort
+
+
+TIE_WEIGHT = 1e-4  # of jerk against time, where given times leave room: of equally fast laws a calm one
+
+
+def _effort(name: str, program: Program, legs: Sequence[_Leg]) -> Any:
+    """∫ g dt over all legs by Gauss-Legendre, exact for the polynomials at hand."""
+    effort = EFFORTS[name]
+    terms = []
+    for demand, leg, run in zip(program.demands, legs, _runs(program), strict=True):
+        tau, weights = run.basis.quadrature()
+        rates = _rates(demand.angle, leg, run, tau, effort.orders)
+        terms.append(leg.duration * ca.dot(ca.DM(weights), effort.integrand(demand, rates)))
+    return ca.sum1(ca.vertcat(*terms))
+
+
+def _variable_bounds(program: Program, units: Array, sizes: Sequence[int]) -> dict[str, Array]:
+    """Durations stay positive, and fixed ones fixed; the used part of the limits is not negative."""
+    lower, upper = np.full(sum(sizes), -np.inf), np.full(sum(sizes), np.inf)
+    lower[: sizes[0]] = LEAST_DURATION
+    for k, demand in enumerate(program.demands):
+        if demand.duration is not None:
+            lower[k] = upper[k] = demand.duration / units[k]
+    lower[-1], upper[-1] = 0.0, (np.inf if program.objective == "peak" else 0.0)
+    return {"lbx": lower, "ubx": upper}
+
+
+def pack(program: Program, timings: Sequence[Timing], units: Array, peak: float) -> Array:
+    """Variables (n,) of given timings whose easings the bases contain."""
+    parts: list[Any] = [[timing.duration / unit for timing, unit in zip(timings, units, strict=True)]]
+    first = 0
+    for run in program.runs:
+        own = timings[first : first + len(run.demands)]
+        scale, unit = _scale(run), float(np.mean(units[first : first + len(own)]))
+        parts.append(
+            [
+                float(timing.easing(1.0, i, side="left"))
+                * demand.angle
+                / (timing.duration / unit) ** i
+                / scale
+                for timing, demand in zip(own[:-1], run.demands, strict=False)
+                for i in range(1, run.basis.continuity + 1)
+            ]
+        )
+        parts += [run.basis.free_of(timing.easing) for timing in own]
+        first += len(own)
+    return np.concatenate([*parts, [peak if program.objective == "peak" else 0.0]])

@@ -1,5 +1,5 @@
 """Objectives: what the nonlinear program makes least."""
 
-from timelaw.objectives.objective import OBJECTIVES, Objective
+from timelaw.objectives.objective import EFFORTS, OBJECTIVES, Effort
 
-__all__ = ["OBJECTIVES", "Objective"]
+__all__ = ["EFFORTS", "OBJECTIVES", "Effort"]

@@ -1,14 +1,42 @@
-"""The registry of objectives, by the key they have in problem files."""
+"""The registry of objectives, by the key they have in problem files.
 
-from collections.abc import Callable
+An effort is an integral over the motion, ∫ g(φ', φ'', …) dt leg by leg; with n the leg's fixed
+axis, |α| = |φ''| and |jerk| = |φ'''|. For given time the least ∫|jerk|² is the quintic's,
+720 θ²/T⁵; the least ∫|α|² with ω continuous is 12 θ²/T³, of 3τ² - 2τ³; the least ∫|snap|² is the
+septic's, 100800 θ²/T⁷.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from typing import Any
 
-Objective = Callable[[list[Any]], Any]
+from timelaw.schedule import Demand
 
 
-def total_time(durations: list[Any]) -> Any:
-    """Σ T_k of the legs' durations, numbers or symbols of the solver."""
-    return sum(durations[1:], start=durations[0])
+@dataclass(frozen=True)
+class Effort:
+    """∫ g dt: `integrand(demand, rates)` is g on a leg, `rates[k]` the k-th rate in whatever form.
+
+    `power` says how g dt scales: time stretched by c divides the integral by c^power.
+    """
+
+    name: str
+    unit: str
+    orders: tuple[int, ...]
+    power: int
+    integrand: Callable[[Demand, Mapping[int, Any]], Any]
 
 
-OBJECTIVES: dict[str, Objective] = {"time": total_time}
+def _torque(demand: Demand, rates: Mapping[int, Any]) -> Any:
+    if demand.torque is None:
+        raise ValueError("the torque of a leg needs the inertia")
+    return demand.torque.value(rates)
+
+
+EFFORTS: dict[str, Effort] = {
+    "energy": Effort("energy", "rad²/s³", (2,), 3, lambda _, rates: rates[2] * rates[2]),
+    "jerk": Effort("jerk", "rad²/s⁵", (3,), 5, lambda _, rates: rates[3] * rates[3]),
+    "snap": Effort("snap", "rad²/s⁷", (4,), 7, lambda _, rates: rates[4] * rates[4]),
+    "torque": Effort("torque", "N²·m²·s", (1, 2), 3, _torque),
+}
+OBJECTIVES = ("time", "peak", *EFFORTS)

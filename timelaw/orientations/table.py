@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from timelaw.errors import Fault, InputError
 from timelaw.problem.load import read_text
-from timelaw.problem.model import NORM_TOLERANCE
+from timelaw.problem.values import NORM_TOLERANCE
 
 COLUMNS = (("w", "x", "y", "z"), ("qw", "qx", "qy", "qz"))
 LABEL = "label"

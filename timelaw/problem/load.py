@@ -1,15 +1,16 @@
 """Read a problem file; say of every fault where it is, what was given and what is allowed."""
 
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
 from timelaw.errors import Fault, InputError
-from timelaw.problem.model import Problem, nearest, quoted
+from timelaw.problem.model import Problem
 from timelaw.problem.source import Path as Where
 from timelaw.problem.source import Source, read
+from timelaw.problem.values import nearest, quoted
 
 VERSION = 1
 MAX_BYTES = 10_000_000  # far above any real problem file; a wrong file is refused before it is parsed
@@ -64,9 +65,6 @@ def _fault(source: Source, details: ErrorDetails) -> Fault:
         )
     if kind == "missing":
         return source.fault(where[:-1], f'missing key "{where[-1]}"')
-    if kind == "invalid_key":
-        named = (*where[:-1], str(where[-1]))
-        return source.fault(where[:-1], f"the key {where[-1]} is not a text").at(source.keys.get(named))
     if kind == "timelaw":
         return source.fault((*where, *context["where"]), details["msg"])
     return source.fault(where, f"{quoted(given)}; {_expectation(kind, given, context, details['msg'])}")
@@ -82,6 +80,9 @@ def _expectation(kind: str, given: Any, context: dict[str, Any], message: str) -
         "int_type": "a whole number is needed",
         "string_type": "a text is needed",
         "model_type": "a mapping of keys and values is needed",
+        "dict_type": "a mapping of keys and values is needed",
+        "greater_than": f"more than {context.get('gt')} is needed",
+        "float_type": "a number is needed",
         "tuple_type": "a list is needed",
         "greater_than_equal": f"at least {context.get('ge')} is needed",
         "less_than_equal": f"at most {context.get('le')} is allowed",
@@ -106,7 +107,14 @@ def _model_at(path: Where) -> type[BaseModel]:
     """The model that describes the mapping at `path`."""
     model: type[BaseModel] = Problem
     for part in path:
-        annotation = model.model_fields[str(part)].annotation
-        if isinstance(annotation, type) and issubclass(annotation, BaseModel):
-            model = annotation
+        field = model.model_fields.get(str(part))
+        found = _models_in(field.annotation) if field else [model]
+        model = found[0] if found else model
     return model
+
+
+def _models_in(annotation: Any) -> list[type[BaseModel]]:
+    """The models that an annotation such as `X | None` or `dict[str, X]` holds."""
+    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+        return [annotation]
+    return [model for part in get_args(annotation) for model in _models_in(part)]

@@ -67,7 +67,7 @@ def read(text: str, path: str) -> Source:
     try:
         node = yaml.compose(text)
         _refuse_cycles(node, ())
-        data = yaml.load(text)
+        data = _with_text_keys(yaml.load(text))
     except DuplicateKeyError as error:
         key = str(error.problem).split('"')[1] if '"' in str(error.problem) else "?"
         raise InputError(_marked(error, f'duplicate key "{key}"', path)) from None
@@ -94,6 +94,13 @@ def read(text: str, path: str) -> Source:
 def _marked(error: MarkedYAMLError, message: str, path: str) -> Fault:
     mark = error.problem_mark or error.context_mark
     return Fault(message, "", path, mark.line + 1 if mark else 1, mark.column + 1 if mark else 1)
+
+
+def _with_text_keys(data: Any) -> Any:
+    """Keys as texts: labels of nodes may be written as numbers."""
+    if isinstance(data, dict):
+        return {str(key): _with_text_keys(value) for key, value in data.items()}
+    return [_with_text_keys(value) for value in data] if isinstance(data, list) else data
 
 
 def _refuse_cycles(node: Node | None, ancestors: tuple[int, ...]) -> None:

@@ -25,6 +25,11 @@ class Kind:
 ANGULAR_VELOCITY = Kind("an angular velocity", (1, -1, 0, 0), "60 deg/s", "rad/s")
 ANGULAR_ACCELERATION = Kind("an angular acceleration", (1, -2, 0, 0), "120 deg/s^2", "rad/s^2")
 ANGULAR_JERK = Kind("an angular jerk", (1, -3, 0, 0), "600 deg/s^3", "rad/s^3")
+ANGULAR_SNAP = Kind("an angular snap", (1, -4, 0, 0), "3000 deg/s^4", "rad/s^4")
+TORQUE = Kind("a torque", (0, -2, 2, 1), "0.2 N*m", "N*m")
+MOMENTUM = Kind("an angular momentum", (0, -1, 2, 1), "4 N*m*s", "N*m*s")
+INERTIA = Kind("a moment of inertia", (0, 0, 2, 1), "12 kg*m^2", "kg*m^2")
+TIME = Kind("a time", (0, 1, 0, 0), "2 s", "s")
 FREQUENCY = Kind("a frequency", (0, -1, 0, 0), "100 Hz", "1/s")
 
 _UNITS: dict[str, tuple[Fraction | float, Dimension]] = {

@@ -1,13 +1,18 @@
 """The pictures of the report, as SVG texts. Matplotlib is imported here only, and only when one is drawn."""
 
 import io
+from math import inf
 from typing import Any
 
 import numpy as np
 
-from timelaw.motion import QuaternionLaw
+from timelaw.easing import Easing
+from timelaw.easing.double_s_easing import rate_bounds
+from timelaw.easing.smoothstep import smoothstep
+from timelaw.motion import Arc, QuaternionLaw
 from timelaw.pipeline import Design
 from timelaw.report.curves import rate_curve
+from timelaw.time_law.baselines import PAPER_CONTINUITY
 
 OPTIMISED, QUINTIC, LIMIT, NODE = "#0b5fa5", "#9b9b9b", "#b3261e", "#c9c9c9"
 MAX_LEGS = 24  # more legs than this would be a solid band; the first of them are drawn
@@ -70,11 +75,19 @@ def _curve(ax: Any, law: QuaternionLaw, order: int, colour: str, width: float, l
 
 
 def _limit(ax: Any, design: Design, order: int) -> None:
-    for limit in design.limits:
-        if limit.order == order:
-            ax.axhline(
-                np.degrees(limit.bound), color=LIMIT, linewidth=1, linestyle=(0, (5, 3)), label="limit"
-            )
+    """The bound on |k-th rate| leg by leg, one line through where it is the same for all."""
+    style = {"color": LIMIT, "linewidth": 1, "linestyle": (0, (5, 3))}
+    law = design.optimised.law
+    arcs = [s for s in law.segments[:MAX_LEGS] if isinstance(s, Arc)]
+    bounds = [rate_bounds([row for row, _ in law.rows(arc)])[order - 1] for arc in arcs]
+    if len(set(bounds)) == 1 and bounds[0] < inf:
+        ax.axhline(np.degrees(bounds[0]), label="limit", **style)
+        return
+    label = "limit"
+    for arc, bound in zip(arcs, bounds, strict=True):
+        if bound < inf:
+            ax.plot([arc.start_time, arc.end_time], np.degrees([bound, bound]), label=label, **style)
+            label = "_"
 
 
 def _nodes(ax: Any, design: Design) -> None:
@@ -106,10 +119,10 @@ def _easings(design: Design) -> str:
     figure = Figure(figsize=(9.4, 3.1), layout="constrained")
     axes: Any = figure.subplots(1, 3, width_ratios=(1, 1, 1.5))
     tau = np.linspace(0.0, 1.0, 201)
-    segments = design.optimised.law.segments
+    segments = [s for s in design.optimised.law.segments if isinstance(s, Arc)]
     for ax, order, title in ((axes[0], 0, "easing f(τ)"), (axes[1], 1, "its slope f′(τ)")):
-        grey = next((b.law.segments[0].easing for b in design.baselines if b.name == "quintic"), None)
-        if grey is not None:
+        if any(b.name == "quintic" for b in design.baselines):
+            grey = Easing.single(smoothstep(PAPER_CONTINUITY))
             ax.plot(tau, grey(tau, order), color=QUINTIC, linewidth=1.1)
         for key in dict.fromkeys(s.easing.pieces[0].tobytes() for s in segments):
             easing = next(s.easing for s in segments if s.easing.pieces[0].tobytes() == key)
@@ -126,7 +139,7 @@ def _durations(ax: Any, design: Design) -> None:
     for entry, colour, width in ((design.baselines[:1], QUINTIC, 0.8), ((design.optimised,), OPTIMISED, 0.5)):
         for certified in entry:
             if certified.name in ("quintic", "optimised"):
-                heights = [s.duration for s in certified.law.segments[:count]]
+                heights = [s.duration for s in certified.law.segments if isinstance(s, Arc)][:count]
                 ax.bar(place, heights, width=width, color=colour)
     names = [leg.name for leg in design.route.legs[:count]]
     ax.set_xticks(place, names, rotation=90, fontsize=7)

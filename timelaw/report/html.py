@@ -13,6 +13,7 @@ from timelaw import __version__
 from timelaw.certificate import NodeReport
 from timelaw.certificate.certificate import RECORD_TOLERANCE
 from timelaw.certificate.continuity import JUMP_TOLERANCE
+from timelaw.motion import Arc
 from timelaw.nlp.exchange import GAP
 from timelaw.pipeline import Design
 from timelaw.report.figures import figures
@@ -40,6 +41,7 @@ def _environment() -> Environment:
     )
     environment.filters["deg"] = np.degrees
     environment.filters["vector"] = _vector
+    environment.filters["shown"] = _shown
     return environment
 
 
@@ -51,8 +53,10 @@ def _context(design: Design, digest: str, pictures: dict[str, str]) -> dict[str,
         "tour": design.tour,
         "route": design.route,
         "rows": rows,
+        "arcs": [s for s in design.optimised.law.segments if isinstance(s, Arc)],
         "best": rows[0],
-        "least": physical_limit(design.route, design.limits),
+        "least": physical_limit(design.route, design.schedule),
+        "limits": [check.limit for check in design.optimised.certificate.limits],
         "runs": run_rows(design),
         "kinds": [_kinds(entry.certificate.continuity.nodes) for entry in design.laws],
         "rates": RATES,
@@ -72,6 +76,13 @@ def _context(design: Design, digest: str, pictures: dict[str, str]) -> dict[str,
 def _kinds(nodes: tuple[NodeReport, ...]) -> dict[str, float]:
     """The largest jump of each rate over all nodes of a law."""
     return {name: max(node.jump[name] for node in nodes) for name, _, _ in RATES}
+
+
+def _shown(value: float, unit: str) -> str:
+    """A bound or peak with its unit, angles in degrees."""
+    if "rad" in unit:
+        return f"{np.degrees(value):.6g} {unit.replace('rad', 'deg')}"
+    return f"{value:.6g} {unit}"
 
 
 def _vector(components: Any, scale: float) -> str:

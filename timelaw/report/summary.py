@@ -3,9 +3,10 @@
 from dataclasses import dataclass
 from typing import Any
 
+from timelaw.easing.physical_limit import physical_limit as run_limit
 from timelaw.pipeline import Certified, Design
 from timelaw.time_law import physical_limit, quintic
-from timelaw.time_law.baselines import run_limit
+from timelaw.time_law.baselines import chains
 
 
 @dataclass(frozen=True)
@@ -43,8 +44,8 @@ class RunRow:
 
 def law_rows(design: Design) -> list[LawRow]:
     """The optimised law first, then the baselines."""
-    slowest = quintic(design.route, design.limits).duration
-    least = physical_limit(design.route, design.limits)
+    slowest = quintic(design.schedule).duration
+    least = physical_limit(design.route, design.schedule)
     return [_row(entry, slowest, least) for entry in design.laws]
 
 
@@ -65,14 +66,17 @@ def _row(entry: Certified, slowest: float, least: float) -> LawRow:
 def run_rows(design: Design) -> list[RunRow]:
     """The distinct runs, in the order in which the route meets them."""
     rows = []
+    demands = chains(design.route, design.schedule)
     for index, solution in enumerate(design.solution.solutions):
-        runs = [r for r, i in zip(design.route.runs, design.solution.of_run, strict=True) if i == index]
+        runs = [c for c, i in zip(demands, design.solution.of_run, strict=True) if i == index]
+        legs = [demand.angle for demand in runs[0]]
+        least = run_limit(runs[0])
         rows.append(
             RunRow(
                 len(runs),
-                runs[0].angles,
+                tuple(legs),
                 solution.duration,
-                solution.duration / run_limit(sum(runs[0].angles), design.limits),
+                solution.duration / least,
                 solution.status.value,
                 solution.rounds,
                 solution.iterations,

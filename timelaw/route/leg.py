@@ -43,15 +43,19 @@ def relative_turn(p: Array, q: Array) -> tuple[Array, float, bool]:
     """Axis (3,), angle θ ∈ [0, π] and whether the axis' sense is free, of the turn from p to q.
 
     θ = 2 atan2(|v|, |w|) of p* ⊗ q = (w, v), which is exact also where arccos is not. For a
-    half-turn the axis is given with its first non-zero component positive.
+    half-turn -n and 2π - θ do as well.
     """
     d = multiply(conjugate(p), q)
     size = float(np.linalg.norm(d[1:]))
     angle = 2 * float(np.arctan2(size, abs(d[0])))
     axis = d[1:] / size if size else np.array([1.0, 0.0, 0.0])
     half_turn = abs(float(d[0])) <= HALF_TURN_TOLERANCE
-    sense = axis[np.argmax(np.abs(axis) > AXIS_TOLERANCE)] if half_turn else d[0]
-    return axis * (1.0 if sense > 0 else -1.0), angle, half_turn
+    return axis * (1.0 if d[0] >= 0 else -1.0), angle, half_turn
+
+
+def canonical(axis: Array) -> Array:
+    """Of n and -n the one whose first non-zero component is positive."""
+    return axis if axis[np.argmax(np.abs(axis) > AXIS_TOLERANCE)] > 0 else -axis
 
 
 def turn_between(first: Array, second: Array) -> float:

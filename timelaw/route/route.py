@@ -1,5 +1,6 @@
 """The route of a tour: legs, the nodes between them, and the runs the body can do without a stop."""
 
+from collections.abc import Collection
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Literal
@@ -10,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from timelaw.errors import Fault, InputError
 from timelaw.numerics.quaternion import from_axis_angle, multiply
 from timelaw.orientations import OrientationSet
-from timelaw.route.leg import AXIS_TOLERANCE, Leg, relative_turn, turn_between
+from timelaw.route.leg import AXIS_TOLERANCE, Leg, canonical, relative_turn, turn_between
 from timelaw.tours import Tour
 
 Array = NDArray[np.float64]
@@ -54,13 +55,12 @@ class Route:
         """Rotation angles θ (n,) of the legs [rad]."""
         return np.array([leg.angle for leg in self.legs])
 
-    @property
-    def runs(self) -> tuple[Run, ...]:
-        """The route cut at its corners."""
+    def runs(self, stops: Collection[int] = ()) -> tuple[Run, ...]:
+        """The route cut at its corners, and at the nodes with the indices `stops`."""
         runs: list[Run] = []
         first = 0
         for index in range(1, len(self.nodes)):
-            if self.nodes[index].kind != "straight":
+            if self.nodes[index].kind != "straight" or index in stops:
                 runs.append(Run(first, tuple(leg.angle for leg in self.legs[first:index])))
                 first = index
         return tuple(runs)
@@ -102,7 +102,8 @@ def route(points: OrientationSet, tour: Tour) -> Route:
     axes = _settle_half_turns([t[0] for t in turns], [t[2] for t in turns])
     legs: list[Leg] = []
     start = visits[0]
-    for k, (_, angle, half_turn) in enumerate(turns):
+    for k, (axis, short, half_turn) in enumerate(turns):
+        angle = short if float(axes[k] @ axis) > 0 else 2 * np.pi - short
         reached = multiply(start, from_axis_angle(axes[k], np.array(angle)))
         end = visits[k + 1] if float(reached @ visits[k + 1]) >= 0 else -visits[k + 1]
         legs.append(Leg(labels[k], labels[k + 1], start, end, axes[k], angle, half_turn))
@@ -111,16 +112,29 @@ def route(points: OrientationSet, tour: Tour) -> Route:
 
 
 def _settle_half_turns(axes: list[Array], free: list[bool]) -> list[Array]:
-    """Give each half-turn the sense that goes straight on, from the leg before or into the leg after."""
-    settled: list[Array] = []
-    for k, axis in enumerate(axes):
-        before = settled[k - 1] if k else None
-        after = axes[k + 1] if k + 1 < len(axes) and not free[k + 1] else None
-        opposed = before is not None and turn_between(before, -axis) <= AXIS_TOLERANCE
-        leads = before is not None and turn_between(before, axis) <= AXIS_TOLERANCE
-        against = after is not None and turn_between(-axis, after) <= AXIS_TOLERANCE
-        settled.append(-axis if free[k] and (opposed or (against and not leads)) else axis)
+    """Give half-turns the sense that goes straight on, from the leg before or into the leg after.
+
+    Half-turns in a row about one axis get one sense together; without a neighbour to go on to,
+    the one whose first non-zero component is positive.
+    """
+    settled, k = list(axes), 0
+    while k < len(axes):
+        end = k + 1
+        if free[k]:
+            while end < len(axes) and free[end] and _parallel(axes[k], axes[end]):
+                end += 1
+            neighbours = [settled[k - 1]] if k else []
+            neighbours += [axes[end]] if end < len(axes) and not free[end] else []
+            guide = next((n for n in neighbours if _parallel(axes[k], n)), canonical(axes[k]))
+            settled[k:end] = [axis if float(axis @ guide) > 0 else -axis for axis in axes[k:end]]
+        k = end
     return settled
+
+
+def _parallel(first: Array, second: Array) -> bool:
+    """Whether two axes are one line."""
+    turn = turn_between(first, second)
+    return min(turn, np.pi - turn) <= AXIS_TOLERANCE
 
 
 def _nodes(legs: list[Leg]) -> tuple[Node, ...]:

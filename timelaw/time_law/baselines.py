@@ -2,51 +2,73 @@
 
 from collections.abc import Callable, Sequence
 
-from timelaw.easing import Timing, fit_to_limits, smoothstep
-from timelaw.easing.double_s import bounds, fitted_run_timings, least_time
-from timelaw.limits import Rate
+from timelaw.easing import Timing, smoothstep
+from timelaw.easing import physical_limit as limit
+from timelaw.easing.double_s_easing import fitted_run_timings
 from timelaw.route import Route
+from timelaw.schedule import Demand, Schedule
 from timelaw.time_law.time_law import TimeLaw
 
 PAPER_CONTINUITY = 2
 
 
-def quintic(route: Route, limits: Sequence[Rate]) -> TimeLaw:
-    """The law of [MMB2017], 6τ⁵ - 15τ⁴ + 10τ³ from stop to stop on every leg, each in its least time."""
+def quintic(schedule: Schedule) -> TimeLaw:
+    """The law of [MMB2017], 6τ⁵ - 15τ⁴ + 10τ³ from stop to stop on every leg, each in its least time.
 
-    def leg(angle: float) -> tuple[Timing, ...]:
-        return fit_to_limits([angle], [smoothstep.leg_timing(angle, limits, PAPER_CONTINUITY)], limits)
-
-    known = {angle: leg(angle) for angle in {leg.angle for leg in route.legs}}
-    return TimeLaw("quintic", tuple(timing for leg in route.legs for timing in known[leg.angle]))
-
-
-def double_s(route: Route, limits: Sequence[Rate], *, stop: bool = False) -> TimeLaw:
-    """The double-S profile over every run, or with `stop` over every leg."""
-    chains = [(leg.angle,) for leg in route.legs] if stop else [run.angles for run in route.runs]
-    known = {angles: fitted_run_timings(angles, limits) for angles in set(chains)}
-    name = "double-S, every stop" if stop else "double-S"
-    return TimeLaw(name, tuple(timing for angles in chains for timing in known[angles]))
+    Where a leg's duration is fixed, that is its time, whether or not the quintic can keep the limits in it.
+    """
+    known: dict[object, Timing] = {}
+    for demand in schedule.demands:
+        if demand.key() not in known:
+            known[demand.key()] = _fixed(demand, smoothstep.leg_timing(demand, PAPER_CONTINUITY))
+    return TimeLaw("quintic", tuple(known[d.key()] for d in schedule.demands), schedule.dwells)
 
 
-def _double_s(route: Route, limits: Sequence[Rate]) -> tuple[TimeLaw, ...]:
+def double_s(route: Route, schedule: Schedule, *, stop: bool = False) -> TimeLaw:
+    """The double-S profile over every run, or with `stop` over every leg, from rest to rest."""
+    known: dict[object, tuple[Timing, ...]] = {}
+    timings: list[Timing] = []
+    for demands in chains(route, schedule, stop=stop):
+        key = tuple(d.key() for d in demands)
+        if key not in known:
+            known[key] = fitted_run_timings(demands)
+            if len(demands) == 1:
+                known[key] = (_fixed(demands[0], known[key][0]),)
+        timings += known[key]
+    return TimeLaw("double-S, every stop" if stop else "double-S", tuple(timings), schedule.dwells)
+
+
+def _fixed(demand: Demand, timing: Timing) -> Timing:
+    return timing if demand.duration is None else Timing(demand.duration, timing.easing)
+
+
+def chains(route: Route, schedule: Schedule, *, stop: bool = False) -> list[Sequence[Demand]]:
+    """The demands run by run, or with `stop` leg by leg."""
+    if stop:
+        return [[demand] for demand in schedule.demands]
+    return [[schedule.demands[k] for k in run.legs] for run in schedule.runs(route)]
+
+
+def _double_s(route: Route, schedule: Schedule) -> tuple[TimeLaw, ...]:
     """Over the runs, and where a run has more than one leg, stopping at every node too."""
-    through = (double_s(route, limits),)
-    return (*through, double_s(route, limits, stop=True)) if route.straight_nodes else through
+    through = (double_s(route, schedule),)
+    one_leg_runs = len(schedule.runs(route)) == len(route.legs)
+    return through if one_leg_runs else (*through, double_s(route, schedule, stop=True))
 
 
-BASELINES: dict[str, Callable[[Route, Sequence[Rate]], tuple[TimeLaw, ...]]] = {
-    "quintic": lambda route, limits: (quintic(route, limits),),
+BASELINES: dict[str, Callable[[Route, Schedule], tuple[TimeLaw, ...]]] = {
+    "quintic": lambda _, schedule: (quintic(schedule),),
     "double-s": _double_s,
 }
 
 
-def physical_limit(route: Route, limits: Sequence[Rate], *, stop: bool = False) -> float:
-    """Least time [s] of any law on this route, in closed form: Σ over runs (or legs) of the double-S."""
-    totals = [leg.angle for leg in route.legs] if stop else [sum(run.angles) for run in route.runs]
-    return sum(run_limit(total, limits) for total in totals)
-
-
-def run_limit(angle: float, limits: Sequence[Rate]) -> float:
-    """Least time [s] over `angle` from rest to rest, in closed form."""
-    return least_time(angle, *bounds(limits))
+def physical_limit(route: Route, schedule: Schedule, *, stop: bool = False) -> float:
+    """A time [s] that no law on this route beats: Σ over runs (or legs), and the dwells."""
+    known: dict[object, float] = {}
+    result = schedule.dwell_time
+    for demands in chains(route, schedule, stop=stop):
+        key = tuple(d.key() for d in demands)
+        if key not in known:
+            known[key] = limit.physical_limit(demands)
+        result += known[key]
+    return result

@@ -1,10 +1,10 @@
-"""The optimised time law: the solutions of the distinct runs, laid along the route."""
+"""The optimised time law: the timings of the solver, with the dwells of the schedule."""
 
 from timelaw.nlp import Optimised
+from timelaw.schedule import Schedule
 from timelaw.time_law.time_law import TimeLaw
 
 
-def optimised(solution: Optimised) -> TimeLaw:
+def optimised(solution: Optimised, schedule: Schedule) -> TimeLaw:
     """One timing per leg, in the order of the route."""
-    timings = [timing for index in solution.of_run for timing in solution.solutions[index].timings]
-    return TimeLaw("optimised", tuple(timings))
+    return TimeLaw("optimised", solution.timings, schedule.dwells)

@@ -1,6 +1,8 @@
-"""A time law as data: how long each leg takes, and how it is run through."""
+"""A time law as data: how long each leg takes and how it is run through, and where the body dwells."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -11,17 +13,43 @@ from timelaw.easing.easing import Side
 Array = NDArray[np.float64]
 
 
+class Interval(NamedTuple):
+    """A leg, by its index, or a dwell at a node, by the node's."""
+
+    kind: str
+    number: int
+    start: float
+    duration: float
+
+
 @dataclass(frozen=True)
 class TimeLaw:
-    """σ(t) = k + f_k((t - t_k)/T_k) on leg k: the route parameter as a function of time."""
+    """σ(t) = k + f_k((t - t_k)/T_k) on leg k: the route parameter as a function of time.
+
+    `dwells` [s] stand at the nodes, one more than legs; none for a law that never waits.
+    """
 
     name: str
     timings: tuple[Timing, ...]
+    dwells: tuple[float, ...] = ()
+
+    def intervals(self) -> Iterator[Interval]:
+        """Legs and dwells in the order of time, dwells of no length left out."""
+        time = 0.0
+        dwells = self.dwells or (0.0,) * (len(self.timings) + 1)
+        for index, dwell in enumerate(dwells):
+            if dwell > 0:
+                yield Interval("dwell", index, time, dwell)
+                time += dwell
+            if index < len(self.timings):
+                yield Interval("leg", index, time, self.timings[index].duration)
+                time += self.timings[index].duration
 
     @property
     def times(self) -> Array:
-        """Instants t_0 = 0 < t_1 < … (n+1,) at the nodes [s]."""
-        return np.concatenate([[0.0], np.cumsum([timing.duration for timing in self.timings])])
+        """Instants at which legs and dwells begin, and the end [s]."""
+        intervals = list(self.intervals())
+        return np.array([i.start for i in intervals] + [intervals[-1].start + intervals[-1].duration])
 
     @property
     def duration(self) -> float:
@@ -35,13 +63,16 @@ class TimeLaw:
             ValueError: t outside [0, duration].
         """
         t = np.asarray(t, dtype=float)
-        index = locate(self.times, t, side)
-        value = np.empty(t.shape)
-        for k in np.unique(index):
-            here = index == k
-            timing = self.timings[k]
-            tau = np.clip((t[here] - self.times[k]) / timing.duration, 0.0, 1.0)
-            value[here] = timing.easing(tau, order, side) / timing.duration**order + (k if order == 0 else 0)
+        intervals = list(self.intervals())
+        at = locate(self.times, t, side)
+        value = np.zeros(t.shape)
+        for k in np.unique(at):
+            here, (kind, number, start, duration) = at == k, intervals[k]
+            if kind == "leg":
+                tau = np.clip((t[here] - start) / duration, 0.0, 1.0)
+                value[here] = self.timings[number].easing(tau, order, side) / duration**order
+            if order == 0:
+                value[here] += number
         return value
 
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from timelaw.errors import Fault, InputError
+from timelaw.errors import Fault, InputError, some
 from timelaw.orientations import OrientationSet
 from timelaw.problem.model import RouteModel
 from timelaw.tours.distance import NEIGHBOUR_TOLERANCE, distances, minimal_distance
@@ -95,7 +95,7 @@ def _by_labels(labels: tuple[str, ...], points: OrientationSet) -> Order:
     index = {label: i for i, label in enumerate(points.labels)}
     unknown = [label for label in labels if label not in index]
     if unknown:
-        raise _fault(f'no orientation is called "{unknown[0]}"; there are {_some(points.labels)}')
+        raise _fault(f'no orientation is called "{unknown[0]}"; there are {some(points.labels)}')
     repeated = [label for i, label in enumerate(labels) if label in labels[:i]]
     if repeated:
         raise _fault(
@@ -103,13 +103,8 @@ def _by_labels(labels: tuple[str, ...], points: OrientationSet) -> Order:
         )
     missing = [label for label in points.labels if label not in labels]
     if missing:
-        raise _fault(f"the tour leaves out {_some(missing)}; every orientation must be visited")
+        raise _fault(f"the tour leaves out {some(missing)}; every orientation must be visited")
     return tuple(index[label] for label in labels)
-
-
-def _some(labels: tuple[str, ...] | list[str], most: int = 6) -> str:
-    shown = ", ".join(labels[:most])
-    return shown if len(labels) <= most else f"{shown}, … ({len(labels)} in all)"
 
 
 def _fault(message: str) -> InputError:

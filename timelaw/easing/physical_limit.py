@@ -1,0 +1,26 @@
+"""The least time that physics allows on a run: what every law is measured by."""
+
+from collections.abc import Sequence
+from math import inf
+
+from timelaw.easing import double_s, phase_plane
+from timelaw.easing.double_s_easing import rate_bounds
+from timelaw.schedule import Demand
+
+
+def physical_limit(demands: Sequence[Demand]) -> float:
+    """A time [s] that no motion over the run's angle beats, whatever its form.
+
+    The double-S profile in closed form under the plain rates, and the phase plane under torque;
+    where legs of the run differ in their limits, the loosest of each counts for all. Fixed
+    durations count as they are given.
+    """
+    if all(demand.duration is not None for demand in demands):
+        return sum(demand.duration or 0.0 for demand in demands)
+    angle = sum(demand.angle for demand in demands)
+    loosest = [max(bounds) for bounds in zip(*(rate_bounds(d.rows) for d in demands), strict=True)]
+    least = double_s.least_time(angle, loosest[0], loosest[1], loosest[2]) if min(loosest) < inf else 0.0
+    alike = len({demand.rows for demand in demands}) == 1
+    if alike and phase_plane.has_torque(demands[0].rows):
+        return max(least, phase_plane.least_time(angle, demands[0].rows))
+    return least

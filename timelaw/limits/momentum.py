@@ -1,0 +1,32 @@
+"""Limits on the stored angular momentum, as reaction wheels have them."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from timelaw.limits.rate import AXES
+from timelaw.limits.row import RateRow
+from timelaw.problem.body import Bounds
+
+UNIT = "N·m·s"
+
+
+@dataclass(frozen=True)
+class Momentum:
+    """|J n φ'| ≤ h for the norm, |(J n)_i φ'| ≤ h_i for three body axes; `inertia` J (3, 3) [kg·m²]."""
+
+    name: str
+    bounds: Bounds
+    inertia: NDArray[np.float64]
+
+    def on(self, axis: NDArray[np.float64]) -> tuple[RateRow, ...]:
+        """Rows on a leg about `axis` (3,)."""
+        momentum = self.inertia @ axis
+        if not isinstance(self.bounds, tuple):
+            size = float(np.linalg.norm(momentum))
+            return (RateRow(self.name, self.name, UNIT, 1, size, self.bounds),)
+        return tuple(
+            RateRow(self.name, f"{self.name} {name}", UNIT, 1, float(h), bound)
+            for name, h, bound in zip(AXES, momentum, self.bounds, strict=True)
+        )

@@ -1,0 +1,43 @@
+"""Limits on the torque that turns the body: Euler's equation along a leg."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from timelaw.limits.rate import AXES
+from timelaw.limits.row import TorqueNormRow, TorqueRow
+from timelaw.problem.body import Bounds
+
+UNIT = "N·m"
+
+
+def torque_norm(inertia: NDArray[np.float64], axis: NDArray[np.float64], bound: float = 1.0) -> TorqueNormRow:
+    """|τ|² ≤ bound² on a leg about `axis` (3,)."""
+    linear = inertia @ axis
+    gyroscopic = np.cross(axis, linear)
+    sizes = float(np.linalg.norm(linear)), float(np.linalg.norm(gyroscopic))
+    return TorqueNormRow("torque", "torque", UNIT, *sizes, bound**2)
+
+
+@dataclass(frozen=True)
+class Torque:
+    """τ = J ω' + ω × J ω = J n φ'' + (n × J n) φ'², bounded by norm or about three body axes.
+
+    `inertia` J (3, 3) [kg·m²] in the same body axes as everything else.
+    """
+
+    name: str
+    bounds: Bounds
+    inertia: NDArray[np.float64]
+
+    def on(self, axis: NDArray[np.float64]) -> tuple[TorqueRow, ...] | tuple[TorqueNormRow]:
+        """Rows on a leg about `axis` (3,)."""
+        linear = self.inertia @ axis
+        gyroscopic = np.cross(axis, linear)
+        if not isinstance(self.bounds, tuple):
+            return (torque_norm(self.inertia, axis, self.bounds),)
+        return tuple(
+            TorqueRow(self.name, f"{self.name} {name}", UNIT, float(a), float(b), bound)
+            for name, a, b, bound in zip(AXES, linear, gyroscopic, self.bounds, strict=True)
+        )

@@ -1,0 +1,62 @@
+"""Find the extrema of limit rows that exceed their bounds, to demand the limits there too.
+
+This only guides the solver; what is proved is proved by the certificate.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from timelaw.easing import Timing
+from timelaw.limits import Row
+from timelaw.nlp.program import Program
+from timelaw.schedule import Demand
+
+Array = NDArray[np.float64]
+
+SAME_POINT = 1e-7  # in τ; nearer to a point, an extremum exceeds the bound by far less than the gap
+NEAR = 0.1  # relative; a grid value this close to the bound may hide an extremum beyond it
+ZOOMS = 5  # each narrows the bracket of an extremum eightfold
+ZOOM_POINTS = np.linspace(-1.0, 1.0, 17)
+
+
+def add_extrema(points: list[list[Array]], program: Program, timings: Sequence[Timing], used: float) -> bool:
+    """Add the local extrema beyond `used` times each bound to its points; False if there is nothing new.
+
+    The midpoints towards the points on both sides come along: where a rate stays flat at its
+    limit its extrema are as flat, and would be approached only by halves.
+    """
+    added = False
+    bases = [run.basis for run in program.runs for _ in run.demands]
+    for k, (demand, timing, basis) in enumerate(zip(program.demands, timings, bases, strict=True)):
+        for i, row in enumerate(demand.rows):
+            known = points[k][i]
+            for top in _extrema(row, used**row.root, demand, timing, basis.grid()):
+                place = int(np.searchsorted(known, top))
+                around = known[max(place - 1, 0) : place + 1]
+                if np.min(np.abs(around - top)) > SAME_POINT:
+                    points[k][i] = np.union1d(points[k][i], [top, *(around + top) / 2])
+                    added = True
+    return added
+
+
+def _extrema(row: Row, allowed: float, demand: Demand, timing: Timing, grid: Array) -> list[float]:
+    """Points τ of the local maxima of a row that exceed the allowed part of its bound."""
+
+    def size(tau: Array) -> Array:
+        rates = {k: demand.angle / timing.duration**k * timing.easing(tau, k) for k in row.orders}
+        return np.array(np.abs(row.value(rates)) / (row.bound * allowed))
+
+    values = size(grid)
+    padded = np.concatenate([[-1.0], values, [-1.0]])
+    tops = np.flatnonzero((values >= padded[:-2]) & (values >= padded[2:]) & (values > 1 - NEAR))
+    if not len(tops):
+        return []
+    centre, last = grid[tops], len(grid) - 1
+    width = np.maximum(grid[np.minimum(tops + 1, last)] - centre, centre - grid[np.maximum(tops - 1, 0)])
+    for _ in range(ZOOMS):
+        around = np.clip(centre[:, None] + width[:, None] * ZOOM_POINTS, 0.0, 1.0)
+        best = np.argmax(size(around), axis=1)
+        centre, width = around[np.arange(len(centre)), best], width * (ZOOM_POINTS[1] - ZOOM_POINTS[0])
+    return [float(t) for t, value in zip(centre, size(centre), strict=True) if value > 1]

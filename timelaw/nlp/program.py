@@ -1,0 +1,100 @@
+"""What is asked of the solver, and what comes back."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import Enum
+
+from timelaw.easing import PolynomialBasis, Timing
+from timelaw.schedule import Demand
+
+
+@dataclass(frozen=True)
+class RunProblem:
+    """A run over legs about one axis; `start` and `end` are its rates φ', φ'', … there, empty for rest."""
+
+    demands: tuple[Demand, ...]
+    basis: PolynomialBasis
+    start: tuple[float, ...] = ()
+    end: tuple[float, ...] = ()
+
+    @property
+    def elastic(self) -> bool:
+        """Whether stretching time leaves everything true but the times."""
+        fixed = any(demand.duration is not None for demand in self.demands)
+        return not fixed and not any(self.start) and not any(self.end)
+
+    def key(self) -> tuple[object, ...]:
+        """Equal for runs that have equal solutions."""
+        return (tuple(demand.key() for demand in self.demands), self.start, self.end)
+
+
+@dataclass(frozen=True)
+class Budget:
+    """The first `legs` legs of the program together take `time` [s]."""
+
+    legs: int
+    time: float
+
+
+@dataclass(frozen=True)
+class Program:
+    """Runs to be solved together: an objective by its key, and times that are given.
+
+    With `weight` the objective is added to the time: T/T* + weight E/E*, T* and E* those of the
+    start. `margin` is kept from every limit where time cannot be stretched afterwards.
+    """
+
+    runs: tuple[RunProblem, ...]
+    objective: str = "time"
+    weight: float | None = None
+    budgets: tuple[Budget, ...] = ()
+
+    @property
+    def demands(self) -> tuple[Demand, ...]:
+        """Demands of all legs, run after run."""
+        return tuple(demand for run in self.runs for demand in run.demands)
+
+    @property
+    def elastic(self) -> bool:
+        """Whether the last excess over a limit may be closed by stretching time."""
+        return self.objective == "time" and not self.budgets and all(run.elastic for run in self.runs)
+
+
+class Status(Enum):
+    """How a program was solved; the text says what to do about it."""
+
+    OPTIMAL = "solved to optimality"
+    SECOND_START = "solved to optimality from the second start"
+    ACCEPTABLE = (
+        "solved to the solver's acceptable tolerance only; the law holds its limits, but may not be least"
+    )
+    CLOSED_FORM = (
+        "the solver failed from every start: the smoothstep over the run is used; try another easing degree"
+    )
+
+
+@dataclass(frozen=True)
+class Solution:
+    """Timings of the legs that hold the limits, and how they were found.
+
+    `rounds` counts solutions of the nonlinear program: after each, the extrema that exceed a
+    limit are demanded too. `gap` is what those cost at the end, relative in time for least time,
+    else in the part of the limits that is used.
+    """
+
+    timings: tuple[Timing, ...]
+    status: Status
+    iterations: int = 0
+    rounds: int = 0
+    gap: float = 0.0
+    rows: int = 0
+
+    @property
+    def duration(self) -> float:
+        """Total time of the legs [s]."""
+        return total(self.timings)
+
+
+def total(timings: Sequence[Timing]) -> float:
+    """Σ T_k [s]."""
+    return sum(timing.duration for timing in timings)

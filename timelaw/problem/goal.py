@@ -1,0 +1,75 @@
+"""The part of a problem file about the objective: least time, or something else in a time that is given."""
+
+from dataclasses import dataclass
+from typing import Annotated, Any, Literal, Self
+
+from pydantic import BeforeValidator, Field, WithJsonSchema, model_validator
+
+from timelaw.problem.units import TIME
+from timelaw.problem.values import MOST, Model, fault, quoted, read_quantity
+
+Quantity = Literal["time", "jerk", "energy", "torque", "snap", "peak"]
+RELATIVE = " x minimum"
+
+
+@dataclass(frozen=True)
+class TotalTime:
+    """A total time in s, or as a multiple of the least one."""
+
+    value: float
+    relative: bool = False
+
+    def seconds(self, least: float) -> float:
+        """In s, where `least` is the least time."""
+        return self.value * least if self.relative else self.value
+
+
+def _total_time(value: Any) -> TotalTime:
+    """A time, or "1.5 x minimum"."""
+    if not (isinstance(value, str) and value.endswith(RELATIVE)):
+        return TotalTime(read_quantity(value, TIME))
+    try:
+        factor = float(value.removesuffix(RELATIVE))
+    except ValueError:
+        factor = 0.0
+    if not 1 <= factor <= MOST:
+        raise fault(f'"{value}"; a factor of at least 1 is needed, as in "1.5 x minimum"')
+    return TotalTime(factor, relative=True)
+
+
+class Goal(Model):
+    """What is made least. All but time need a total time, or a weight against time.
+
+    With `weight` c the sum T/T* + c E/E* is made least, T* and E* being time and effort of the
+    least-time law, so that c compares relative changes.
+    """
+
+    minimise: Quantity = "time"
+    total_time: Annotated[
+        TotalTime | None,
+        BeforeValidator(_total_time),
+        WithJsonSchema({"type": "string", "examples": ["60 s", "1.5 x minimum"]}),
+    ] = None
+    weight: Annotated[float, Field(gt=0, le=1e6)] | None = None
+
+    @model_validator(mode="after")
+    def _consistent(self) -> Self:
+        given = [name for name in ("total_time", "weight") if getattr(self, name) is not None]
+        if self.minimise == "time" and given:
+            raise fault(
+                f"least time leaves no room for {given[0]}; minimise jerk, energy, torque, snap or peak"
+            )
+        if self.minimise == "peak" and self.weight is not None:
+            raise fault("peak is made least in a given total_time, not against a weight")
+        if self.minimise != "time" and len(given) != 1:
+            raise fault(f'to minimise {self.minimise}, give either "total_time" or "weight"')
+        return self
+
+
+def read_goal(value: Any) -> Any:
+    """The one word "time", or a mapping."""
+    if value == "time":
+        return Goal()
+    if not isinstance(value, dict):
+        raise fault(f"{quoted(value)}; allowed: time, or a mapping like {{minimise: jerk, total_time: 60 s}}")
+    return value

@@ -1,0 +1,125 @@
+"""Values in a problem file: how each is read, and what is said of one that is wrong."""
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from difflib import get_close_matches
+from typing import Annotated, Any
+
+from pydantic import BaseModel, BeforeValidator, ConfigDict
+from pydantic_core import PydanticCustomError, core_schema
+
+from timelaw.problem.units import Kind, parse_quantity
+
+LEAST, MOST = 1e-9, 1e9  # in SI; no body is that slow or fast, and cubes of times stay far from overflow
+NORM_TOLERANCE = 1e-3  # a quaternion typed with four digits still counts as a unit quaternion
+
+
+class Model(BaseModel):
+    """A mapping of a problem file: unknown keys are faults, nothing is converted silently."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True, strict=True)
+
+
+def fault(message: str, *where: str) -> PydanticCustomError:
+    """A validation error whose text is shown to the user as it stands, at `where` below its model."""
+    return PydanticCustomError("timelaw", "{message}", {"message": message, "where": where})
+
+
+def quoted(value: Any) -> str:
+    """A value as a message shows it."""
+    if isinstance(value, bool):
+        return str(value).lower()
+    return f'"{value}"' if isinstance(value, str) else f"{value}"
+
+
+def nearest(given: Any, allowed: Iterable[str], *others: str) -> str:
+    """The allowed values as a text, the likeliest name pointed out."""
+    names = list(allowed)
+    close = get_close_matches(str(given), names, n=1, cutoff=0.6)
+    listing = ", ".join([*names, *others])
+    return f'{listing}; did you mean "{close[0]}"?' if close else listing
+
+
+def read_quantity(value: Any, kind: Kind, least: float = LEAST) -> float:
+    """A number with its unit, in SI, between `least` and 1e9."""
+    if isinstance(value, bool) or not isinstance(value, str | int | float):
+        raise fault(f'expected {kind.name} like "{kind.example}"')
+    try:
+        number = parse_quantity(str(value), kind)
+    except ValueError as error:
+        raise fault(str(error)) from None
+    if not least <= number <= MOST:
+        raise fault(f'"{value}" is out of range; {least:g} to {MOST:g} {kind.unit} are allowed')
+    return number
+
+
+@dataclass(frozen=True)
+class Reader:
+    """Metadata of an annotated field: how its value is read, and how the schema describes it."""
+
+    read: Callable[[Any], Any]
+    kind: Kind
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: Any) -> Any:
+        """Read before the type is checked."""
+        return core_schema.no_info_before_validator_function(self.read, handler(source))
+
+    def __get_pydantic_json_schema__(self, *_: Any) -> dict[str, Any]:
+        """A text with a unit."""
+        return {"type": "string", "description": self.kind.name, "examples": [self.kind.example]}
+
+
+def quantity(kind: Kind, least: float = LEAST) -> Reader:
+    """For a field that holds one quantity; `least` 0 or below allows zero and negative values."""
+    return Reader(lambda value: read_quantity(value, kind, least), kind)
+
+
+def bounds(kind: Kind) -> Reader:
+    """For a field that holds a bound on a norm, or a list of three for the body axes."""
+
+    def check(value: Any) -> Any:
+        if not isinstance(value, list):
+            return read_quantity(value, kind)
+        if len(value) != 3:
+            raise fault(f"{len(value)} values; one for the norm or three for the body axes are needed")
+        return tuple(read_quantity(v, kind) for v in value)
+
+    return Reader(check, kind)
+
+
+def as_tuple(value: Any) -> Any:
+    """A YAML list as the tuple a frozen model holds."""
+    return tuple(value) if isinstance(value, list) else value
+
+
+def tour_or_labels(names: tuple[str, ...]) -> Callable[[Any], Any]:
+    """A tour's name, or its labels as texts."""
+
+    def check(value: Any) -> Any:
+        if not isinstance(value, list):
+            if value not in names:
+                raise fault(f"{quoted(value)}; allowed: {nearest(value, names, 'or a list of labels')}")
+            return value
+        if len(value) < 2:
+            raise fault("a tour needs at least two labels")
+        for label in value:
+            if isinstance(label, bool) or not isinstance(label, str | int):
+                raise fault(f"a label is a number or a text, not {label!r}")
+        return tuple(str(label) for label in value)
+
+    return check
+
+
+def _read_quaternion(value: Any) -> Any:
+    numbers = isinstance(value, list) and all(
+        isinstance(v, int | float) and not isinstance(v, bool) for v in value
+    )
+    if not numbers or len(value) != 4:
+        raise fault("expected a quaternion of four numbers [w, x, y, z]")
+    norm = sum(float(v) ** 2 for v in value) ** 0.5
+    if not abs(norm - 1) <= NORM_TOLERANCE:
+        raise fault(f"{value} has norm {norm:.6g}; a unit quaternion [w, x, y, z] is needed")
+    return tuple(float(v) for v in value)
+
+
+Quaternion = Annotated[tuple[float, float, float, float], BeforeValidator(_read_quaternion)]

@@ -1,0 +1,127 @@
+"""Resolve what the problem file says about legs and nodes, by label, onto a route."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from timelaw.errors import Fault, InputError, some
+from timelaw.limits import Bounds, RateRow, binding, limits_of, rows_on
+from timelaw.limits.torque import torque_norm
+from timelaw.problem.model import Problem
+from timelaw.problem.rules import NodeRule, SegmentRule
+from timelaw.route import Route, Run
+from timelaw.schedule.demand import Demand
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Schedule:
+    """Demands per leg; per node (one more than legs) dwells [s], stops and arrival times [s].
+
+    `start` and `end` are the rates φ', φ'', … outside the motion, about the first and last leg's
+    axis; empty means rest. `limits` and `leg_limits` are the bounds as the law file records them.
+    """
+
+    demands: tuple[Demand, ...]
+    dwells: tuple[float, ...]
+    stops: frozenset[int]
+    arrivals: Mapping[int, float]
+    start: tuple[float, ...]
+    end: tuple[float, ...]
+    limits: Mapping[str, Bounds]
+    leg_limits: Mapping[int, Mapping[str, Bounds]]
+    inertia: Array | None
+
+    @property
+    def dwell_time(self) -> float:
+        """Time [s] spent at rest on purpose."""
+        return sum(self.dwells)
+
+    def runs(self, route: Route) -> tuple[Run, ...]:
+        """The route cut at corners, forced stops and dwells."""
+        return route.runs(self.stops)
+
+
+def schedule(problem: Problem, route: Route) -> Schedule:
+    """What the problem demands, leg by leg and node by node.
+
+    Raises:
+        InputError: a label or leg that the tour does not have.
+    """
+    if problem.objective.minimise != "time" or any(r.time is not None for r in problem.nodes.at.values()):
+        raise InputError(Fault("only least time without given times is solved so far", "objective"))
+    given, inertia = problem.limits.given(), problem.inertia()
+    rules, legs = _node_rules(problem, route), _leg_rules(problem, route)
+    base = limits_of(given, inertia)
+    demands = []
+    for index, leg in enumerate(route.legs):
+        rule = legs.get(index)
+        extra = limits_of(rule.limits.given(), inertia) if rule and rule.limits else ()
+        rows = binding((*rows_on(base, leg.axis), *rows_on(extra, leg.axis)))
+        if not any(_bounds_time(row) for row in rows):
+            message = f"no limit bounds the motion of leg {leg.name}; add a norm limit"
+            raise InputError(Fault(message, "limits"))
+        torque = torque_norm(inertia, leg.axis) if inertia is not None else None
+        demands.append(Demand(leg.angle, rows, rule.duration if rule else None, torque))
+    dwells = _dwells(problem, route, rules)
+    stops = {i for i, rule in rules.items() if rule.stop} | {i for i, d in enumerate(dwells) if d > 0}
+    arrivals: dict[int, float] = {i: rule.time for i, rule in rules.items() if rule.time is not None}
+    return Schedule(
+        tuple(demands),
+        dwells,
+        frozenset(stops),
+        arrivals,
+        problem.nodes.start.rates(problem.nodes.continuity) if problem.nodes.start else (),
+        problem.nodes.end.rates(problem.nodes.continuity) if problem.nodes.end else (),
+        given,
+        {i: rule.limits.given() for i, rule in legs.items() if rule.limits},
+        inertia,
+    )
+
+
+def _bounds_time(row: object) -> bool:
+    return not isinstance(row, RateRow) or row.effective() < float("inf")
+
+
+def _node_rules(problem: Problem, route: Route) -> dict[int, NodeRule]:
+    """Rules by the index of the node on the route."""
+    labels = [node.label for node in route.nodes]
+    rules = {}
+    for label, rule in problem.nodes.at.items():
+        if label not in labels:
+            raise InputError(
+                Fault(f'the tour has no node "{label}"; it has {some(labels)}', f"nodes.at.{label}")
+            )
+        index = labels.index(label)
+        if index in (0, len(labels) - 1) and (rule.stop or (rule.time is not None and index == 0)):
+            message = (
+                f'"{label}" is where the motion starts or ends; "stop" and a start time have no meaning there'
+            )
+            raise InputError(Fault(message, f"nodes.at.{label}"))
+        rules[index] = rule
+    return rules
+
+
+def _leg_rules(problem: Problem, route: Route) -> dict[int, SegmentRule]:
+    """Rules by the index of the leg; a leg is written "from-to"."""
+    names = [f"{leg.origin}-{leg.target}" for leg in route.legs]
+    rules = {}
+    for name, rule in problem.segments.items():
+        if name not in names:
+            raise InputError(Fault(f'the tour has no leg "{name}"; it has {some(names)}', f"segments.{name}"))
+        rules[names.index(name)] = rule
+    return rules
+
+
+def _dwells(problem: Problem, route: Route, rules: Mapping[int, NodeRule]) -> tuple[float, ...]:
+    """Dwell at every node; the return of a closed tour to its first node is no second visit."""
+    closed = route.nodes[0].label == route.nodes[-1].label
+    dwells = []
+    for index in range(len(route.nodes)):
+        general = 0.0 if closed and index == len(route.nodes) - 1 else problem.nodes.dwell
+        own = rules[index].dwell if index in rules else None
+        dwells.append(general if own is None else own)
+    return tuple(dwells)
