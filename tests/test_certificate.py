@@ -169,10 +169,25 @@ def test_a_law_without_record_is_certified_by_its_motion_alone(document):
         ("duration", 12.0, "the file gives a duration of 12.0 s"),
         ("nodes", [], "the nodes recorded in the file are not those of its motion"),
         ("certificate", {"continuity": 3}, 'the recorded certificate says otherwise about "continuity"'),
+        ("certificate", {}, 'the recorded certificate says otherwise about "holds"'),
+        ("certificate", "none", "the recorded certificate is no certificate"),
+        ("nodes", [{}] * 12, "the nodes recorded in the file are not those of its motion"),
+        ("continuity", 3, "the motion is C2, C3 was asked for"),
     ],
 )
 def test_false_claims_are_caught(document, key, value, finding):
-    assert finding in " ".join(findings({**document, key: value})[1])
+    in_law, in_record = findings({**document, key: value})
+    assert finding in " ".join([*in_law, *in_record])
+
+
+def test_a_jump_from_q_to_minus_q_is_found(document):
+    """The same orientation, but samples of the quaternion would jump."""
+
+    def change(segments):
+        for key in ("start", "end"):
+            segments[3][key] = [-c for c in segments[3][key]]
+
+    assert any("segments join" in f for f in findings(altered(document, change))[0])
 
 
 def test_a_node_that_is_missed_is_found(document):
@@ -248,7 +263,7 @@ def test_a_limit_cannot_hold_where_a_lower_rate_jumps():
 def test_a_motion_that_starts_with_a_jolt_holds_no_acceleration_limit(paper):
     """f = τ has no acceleration inside, but an infinite one at both ends."""
     arc = replace(paper.optimised.law.segments[0], duration=10.0, easing=Easing.single([0.0, 1.0]))
-    law = replace(paper.optimised.law, segments=(arc,), limits={"velocity": 1.0})
+    law = replace(paper.optimised.law, segments=(arc,), limits={"velocity": 1.0}, continuity=0)
     assert certify(law).holds
     assert not certify(replace(law, limits={"velocity": 1.0, "acceleration": 1e-3})).holds
 

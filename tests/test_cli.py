@@ -135,6 +135,40 @@ def test_a_folder_that_cannot_be_written(tmp_path):
     assert "cannot be written" in done.stderr
 
 
+def test_labels_with_markup_and_mathematics(tmp_path):
+    (tmp_path / "scan.csv").write_text("label,w,x,y,z\n[/a],1,0,0,0\n$\\frac$,0.6,0.8,0,0\n🛰,0,1,0,0\n")
+    text = "timelaw: 1\nname: odd\nroute: {orientations: {file: scan.csv}}\nlimits: {jerk: 1 rad/s^3}\n"
+    (tmp_path / "odd.yaml").write_text(text)
+    assert timelaw("design", tmp_path / "odd.yaml", "-o", tmp_path / "out", "--json").returncode == 0
+    done = timelaw("verify", tmp_path / "out" / "law.json", "--json")
+    assert done.returncode == 0
+    assert json.loads(done.stdout)["name"] == "odd"
+
+
+def test_no_command_is_a_wrong_command_line():
+    done = timelaw()
+    assert done.returncode == 2
+    assert "Missing command" in done.stderr
+
+
+def test_an_interrupt_inside_the_solver_is_obeyed(monkeypatch):
+    """CasADi catches Ctrl-C and reports a requested stop; it must not pass for a solution."""
+    import casadi
+
+    from timelaw.nlp import ipopt
+
+    class Stopped:
+        def __call__(self, **_):
+            return {"x": [0.0]}
+
+        def stats(self):
+            return {"return_status": "User_Requested_Stop", "iter_count": 3}
+
+    monkeypatch.setattr(casadi, "nlpsol", lambda *_: Stopped())
+    with pytest.raises(KeyboardInterrupt):
+        ipopt.solve({}, [0.0], {"lbx": [0.0], "ubx": [1.0]})
+
+
 def test_no_solution_is_exit_3_and_an_interrupt_130(monkeypatch, capsys):
     def infeasible(*_, **__):
         raise InfeasibleError("no law was found")

@@ -41,6 +41,7 @@ def test_the_file_has_the_contracts_keys(text):
         "conventions",
         "duration",
         "limits",
+        "continuity",
         "segments",
         "nodes",
         "certificate",
@@ -89,6 +90,13 @@ def change(text, path, value):
 MALFORMED = {
     "format": (["format"], "other", "format: Input should be 'timelaw-law'"),
     "version": (["version"], 2, "version: Input should be 1"),
+    "true version": (["version"], True, "version: Value error, Input should be 1"),
+    "no limits": (["limits"], {}, "limits: at least one limit is needed, or there is nothing to prove"),
+    "twice around": (
+        ["segments", 0, "angle"],
+        9.0,
+        "segments[0].angle: Input should be less than or equal to",
+    ),
     "no segments": (["segments"], [], "segments: List should have at least 1 item after validation, not 0"),
     "kind": (
         ["segments", 2, "kind"],
@@ -146,9 +154,11 @@ def test_malformed_law_files(tmp_path, text, case):
     [
         (b"", ":1:1: not readable as JSON: Expecting value"),
         (b'{"a": 1,\n "b": }', ":2:7: not readable as JSON: Expecting value"),
-        (b'{"a": NaN}', ": not readable as JSON: NaN is not a number"),
+        (b'{"a": NaN}', ": not readable as JSON: NaN is not a finite number"),
         (b'{"a": 1, "a": 2}', ': not readable as JSON: duplicate key "a"'),
         (b"[" * 100000, ": not readable as JSON: nested too deeply"),
+        (b'{"a": 1e999}', ": not readable as JSON: 1e999 is not a finite number"),
+        (b'{"a": 1' + b"0" * 400 + b"}", f": not readable as JSON: 1{'0' * 400} is not a finite number"),
         (b"[]", ": not a law file: its content is not an object"),
         (b"\xff\xfe\x00", ": is not a UTF-8 text"),
     ],

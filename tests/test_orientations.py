@@ -88,6 +88,11 @@ def test_a_table_is_read_by_its_column_names(tmp_path):
     assert labels == ("home", "up")
 
 
+def test_labels_may_hold_anything(tmp_path):
+    text = 'label,w,x,y,z\n"#1",1,0,0,0\n"two\nlines",0,1,0,0\n[/a] $\\frac$,0,0,1,0\n'
+    assert read_table(write(tmp_path, text))[1] == ("#1", "two\nlines", "[/a] $\\frac$")
+
+
 def test_a_table_is_found_beside_the_problem_file(tmp_path):
     write(tmp_path, "qw,qx,qy,qz\n1,0,0,0\n0.7071,0.7071,0,0\n")
     points = orientations(problem("route: {orientations: {file: scan.csv}}").route.orientations, tmp_path)
@@ -109,12 +114,15 @@ def test_a_table_is_found_beside_the_problem_file(tmp_path):
         ("w,x,y,z\n1,0,0,0\n1,0,0\n", ":3:1: 3 values; 4 are needed"),
         (
             "w,x,y,z\n1,0,0,0\n1,0,zero,0\n",
-            ":3:1: could not convert string to float: 'zero'; numbers are needed",
+            ':3:1: "zero" is not a number',
         ),
         ("w,x,y,z\n1,0,0,0\n1,1,0,0\n", ":3:1: the quaternion has norm 1.41421; a unit quaternion is needed"),
-        ("w,x,y,z\n1,0,0,0\nnan,1,0,0\n", ":3:1: the quaternion has norm nan; a unit quaternion is needed"),
+        ("w,x,y,z\n1,0,0,0\nnan,1,0,0\n", ':3:1: "nan" is not a number'),
         ("w,x,y,z,label\n1,0,0,0,a\n0,1,0,0,a\n", ':3:1: label "a" stands in line 2 too'),
         ("w,x,y,z,label\n1,0,0,0,a\n0,1,0,0,\n", ":3:1: no label"),
+        ("w,x,y,z,w\n1,0,0,0,1\n", ':1:1: the header names "w" more than once'),
+        ("w,x,y,z\n1,0,0,0\n1_0e-1,0,0,0\n", ':3:1: "1_0e-1" is not a number'),
+        ('w,x,y,z,label\n1,0,0,0,"a\n0,1,0,0,b\n', ":3:1: not readable as CSV: unexpected end of data"),
     ],
 )
 def test_malformed_tables(tmp_path, text, message):

@@ -34,6 +34,13 @@ CASES = {
     "recursive alias": ("timelaw: &a [*a]", "1:10: not readable as YAML: an alias repeats the part it stands in"),
     "undefined alias": ("timelaw: *a", "1:10: not readable as YAML: found undefined alias 'a'"),
     "two documents": (GOOD + "---\na: 1\n", "8:1: not readable as YAML: expected a single document in the stream but found another document"),
+    "alias bomb": ("a0: &a0 [x, x]\n" + "".join(f"a{i}: &a{i} [*a{i - 1}, *a{i - 1}]\n" for i in range(1, 31)), "1:5: not readable as YAML: more than 500000 values"),
+    "a list as key": ("? [a, b]\n: 1\n", "1:3: not readable as YAML: a key must be a text"),
+    "deep": ("a: " + "[" * 3000 + "]" * 3000, "1:1: not readable as YAML: nested too deeply"),
+    "odd tag": ("a: !!bool x", "1:1: not readable as YAML: 'x'"),
+    "mixed duplicate": (GOOD + "nodes:\n  at:\n    7: {stop: true}\n    \"7\": {stop: true}\n", '11:5: duplicate key "7"'),
+    "huge exponent": (replaced("60 deg/s", "60 deg/s*h^99"), '7:13: limits.velocity: cannot read the unit "deg/s*h^99"; write units like "deg/s^2" or "kg*m^2"'),
+    "huge quaternion": (replaced("{lattice: 24-cell}", "{list: [[1, 0, 0, 0], [1e200, 0, 0, 0]]}"), "4:39: route.orientations.list[2]: expected a quaternion of four numbers [w, x, y, z]"),
     # Keys
     "duplicate key": (GOOD + "name: again\n", '8:1: duplicate key "name"'),
     "duplicate limit": (GOOD + "  velocity: 1 deg/s\n", '8:3: duplicate key "velocity"'),

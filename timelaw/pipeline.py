@@ -63,12 +63,14 @@ def design(path: str | Path, progress: Progress | None = None) -> Design:
         plan = schedule(problem, way)
         basis = BASES[problem.easing.basis](problem.easing.degree, problem.nodes.continuity)
         solution = optimise(way, plan, basis, progress)
-    law = _certified(problem, way, optimised(solution, plan), plan)
+    law = _certified(problem, way, optimised(solution, plan), plan, problem.nodes.continuity)
     baselines = [b for name in problem.baselines for b in BASELINES[name](way, plan)]
     beside = tuple(_certified(problem, way, time_law, plan) for time_law in baselines)
     return Design(path, problem, source, points, order, way, plan, solution, law, beside)
 
 
-def _certified(problem: Problem, way: Route, time_law: TimeLaw, plan: Schedule) -> Certified:
-    law = compose(problem.name, way, time_law, plan)
+def _certified(
+    problem: Problem, way: Route, time_law: TimeLaw, plan: Schedule, continuity: int = 0
+) -> Certified:
+    law = compose(problem.name, way, time_law, plan, continuity)
     return Certified(time_law.name, law, certify(law))

@@ -12,6 +12,7 @@ from timelaw.motion import QuaternionLaw
 from timelaw.motion.document import to_document
 
 RECORD_TOLERANCE = 1e-9  # relative; other machines round the same sums a little differently
+OPTIONAL = ("before", "after", "worst")  # not in the contract, or rounding noise itself
 
 
 @dataclass(frozen=True)
@@ -23,6 +24,7 @@ class Certificate:
     continuity: Continuity
     duration: float
     digest: str
+    asked: int = 0
 
     @property
     def holds(self) -> bool:
@@ -33,11 +35,13 @@ class Certificate:
         """What is wrong with the law, one sentence each."""
         found = [
             f"{c.limit} reaches {c.peak:.9g} {c.unit} in {c.segment} at t = {c.time:.6f} s, "
-            f"{-c.margin:.3%} over the limit of {c.bound:.9g} {c.unit}"
+            f"over the limit of {c.bound:.9g} {c.unit} by {-c.margin:.2e} of it"
             for c in self.limits
             if not c.holds
         ]
         found += self._jumps()
+        if self.continuity.order < self.asked:
+            found.append(f"the motion is C{self.continuity.order}, C{self.asked} was asked for")
         found += [
             f"{g.check}: off by {g.worst:.3g} at {g.where}, {g.tolerance:.1g} is tolerated"
             for g in self.geometry
@@ -86,7 +90,12 @@ class Certificate:
 def certify(law: QuaternionLaw) -> Certificate:
     """Prove what can be proved of a law from its own numbers; nothing is sampled."""
     return Certificate(
-        check_limits(law), check_geometry(law), continuity(law), law.duration, digest(to_document(law))
+        check_limits(law),
+        check_geometry(law),
+        continuity(law),
+        law.duration,
+        digest(to_document(law)),
+        law.continuity,
     )
 
 
@@ -100,17 +109,19 @@ def compare_with_record(certificate: Certificate, document: dict[str, Any]) -> l
     """Where a law file says other things of itself than its motion shows, one sentence each."""
     found = []
     recorded = document.get("certificate")
-    if not _close(document.get("duration"), certificate.duration):
-        given = document.get("duration")
+    given = document.get("duration")
+    if not (isinstance(given, float | int) and abs(given / certificate.duration - 1) <= RECORD_TOLERANCE):
         found.append(f"the file gives a duration of {given} s, its segments take {certificate.duration} s")
     nodes = [node.to_dict() for node in certificate.continuity.nodes]
     if "nodes" in document and not _close(document["nodes"], nodes):
         found.append("the nodes recorded in the file are not those of its motion")
-    if not isinstance(recorded, dict):
+    if recorded is None:
         return found
-    known = {k: v for k, v in certificate.to_dict().items() if k not in ("digest", "checks", "holds")}
+    if not isinstance(recorded, dict):
+        return [*found, "the recorded certificate is no certificate"]
+    known = {k: v for k, v in certificate.to_dict().items() if k != "digest"}
     for key, value in known.items():
-        if key in recorded and not _close(recorded[key], value):
+        if not _close(recorded.get(key), value):
             found.append(f'the recorded certificate says otherwise about "{key}"')
     if recorded.get("digest") != certificate.digest:
         found.append("the motion was altered after it was certified: its digest is another")
@@ -118,10 +129,10 @@ def compare_with_record(certificate: Certificate, document: dict[str, Any]) -> l
 
 
 def _close(recorded: Any, value: Any) -> bool:
-    """Equal as far as the record goes, with numbers equal up to rounding."""
+    """Equal but for what is optional, with numbers equal up to rounding."""
     if isinstance(value, dict):
         return isinstance(recorded, dict) and all(
-            _close(recorded[k], v) for k, v in value.items() if k in recorded
+            _close(recorded.get(k), v) for k, v in value.items() if k in recorded or k not in OPTIONAL
         )
     if isinstance(value, list):
         return (
@@ -129,7 +140,9 @@ def _close(recorded: Any, value: Any) -> bool:
             and len(recorded) == len(value)
             and all(_close(r, v) for r, v in zip(recorded, value, strict=True))
         )
-    if isinstance(value, float) and isinstance(recorded, int | float) and not isinstance(recorded, bool):
+    if isinstance(value, bool) or isinstance(recorded, bool):
+        return value is recorded
+    if isinstance(value, float) and isinstance(recorded, int | float):
         return abs(recorded - value) <= RECORD_TOLERANCE * max(abs(value), abs(recorded), 1.0)
     return bool(recorded == value)
 

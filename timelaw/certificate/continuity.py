@@ -72,8 +72,8 @@ def continuity(law: QuaternionLaw) -> Continuity:
     scales = _scales(law)
     around = [scales[max(i - 1, 0) : i + 1] for i in range(len(scales) + 1)]
     nodes = [
-        _node(law, index, {k: max(scale[k] for scale in near) for k in RATES})
-        for index, near in enumerate(around)
+        _node(law, index, (label, time), {k: max(scale[k] for scale in near) for k in RATES})
+        for index, (near, label, time) in enumerate(zip(around, law.labels, law.times, strict=True))
     ]
     inside = min(
         _class(jumps, scale)
@@ -84,7 +84,9 @@ def continuity(law: QuaternionLaw) -> Continuity:
     return Continuity(tuple(nodes), inside, (largest[0], largest[1], largest[2]))
 
 
-def _node(law: QuaternionLaw, index: int, scales: Mapping[int, float]) -> NodeReport:
+def _node(
+    law: QuaternionLaw, index: int, place: tuple[str, float], scales: Mapping[int, float]
+) -> NodeReport:
     last = law.segments[index - 1] if index else None
     following = law.segments[index] if index < len(law.segments) else None
     before = {k: last.side(k, -1) if last else law.before.get(k, np.zeros(3)) for k in RATES}
@@ -92,8 +94,8 @@ def _node(law: QuaternionLaw, index: int, scales: Mapping[int, float]) -> NodeRe
     jumps = {k: float(np.linalg.norm(after[k] - before[k])) for k in RATES}
     kind, turn = _kind(last, following)
     return NodeReport(
-        law.labels[index],
-        float(law.times[index]),
+        place[0],
+        float(place[1]),
         kind,
         turn,
         {name: before[k] for k, name in RATES.items()},
@@ -136,7 +138,7 @@ def _class(jumps: Mapping[int, float], scales: Mapping[int, float]) -> int:
     """Number of leading rates whose jump is below the tolerance."""
     order = 0
     for k in RATES:
-        if jumps[k] > JUMP_TOLERANCE * scales[k]:
+        if not jumps[k] <= JUMP_TOLERANCE * scales[k]:  # not a number is a jump too
             break
         order = k
     return order

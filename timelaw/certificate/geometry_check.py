@@ -6,7 +6,7 @@ from itertools import pairwise
 import numpy as np
 
 from timelaw.motion import Arc, QuaternionLaw, Segment
-from timelaw.numerics.quaternion import angle_between, from_axis_angle, multiply
+from timelaw.numerics.quaternion import from_axis_angle, multiply
 
 UNIT_TOLERANCE = 1e-9  # |norm - 1|
 NODE_TOLERANCE = 1e-9  # rad; a few hundred rounding errors of a product of quaternions
@@ -67,9 +67,8 @@ def _unit_error(s: Segment) -> float:
 
 
 def _arc_error(s: Arc) -> float:
-    """Angle [rad] between where the arc leads and the orientation it says it reaches."""
-    reached = multiply(s.start, from_axis_angle(s.axis, np.array(s.angle)))
-    return float(angle_between(reached, s.end))
+    """Distance on S³ between where the arc leads and the quaternion it says it reaches, sign included."""
+    return float(np.linalg.norm(multiply(s.start, from_axis_angle(s.axis, np.array(s.angle))) - s.end))
 
 
 def _joints(law: QuaternionLaw) -> list[tuple[str, float]]:

@@ -15,7 +15,9 @@ Exit codes: 0 done and certified · 1 findings (a limit is broken, a node is mis
 
 
 @click.group(
-    epilog=EXIT_CODES, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100}
+    no_args_is_help=False,
+    epilog=EXIT_CODES,
+    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
 )
 @click.version_option(__version__, "--version", prog_name="timelaw")
 def timelaw() -> None:
@@ -68,6 +70,6 @@ def _failed(arguments: list[str], error: TimelawError, code: int | None = None) 
     code = error.exit_code if code is None else code
     for fault in error.faults:
         click.echo(f"timelaw: {fault}", err=True)
-    if "--json" in arguments:
+    if "--json" in arguments[: arguments.index("--") if "--" in arguments else None]:
         print_json(error_object(error, code))
     return code

@@ -16,7 +16,7 @@ UNBOUNDED = 1000  # columns where no terminal sets the width
 
 def print_json(data: dict[str, Any]) -> None:
     """One object on stdout."""
-    print(json.dumps(data, indent=1, ensure_ascii=False, allow_nan=False))
+    print(json.dumps(data, indent=1, allow_nan=False))
 
 
 def error_object(error: TimelawError, code: int) -> dict[str, Any]:
@@ -52,12 +52,13 @@ def print_table(headings: list[str], rows: list[list[str]]) -> None:
     from rich import box
     from rich.console import Console
     from rich.table import Table
+    from rich.text import Text
 
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 1))
     for index, heading in enumerate(headings):
         table.add_column(heading, justify="right" if index else "left", no_wrap=True)
     for row in rows:
-        table.add_row(*row)
+        table.add_row(*map(Text, row))  # labels may hold what markup looks like
     width = None if sys.stderr.isatty() else UNBOUNDED
     Console(stderr=True, highlight=False, width=width).print(table)
 

@@ -45,7 +45,7 @@ def run(problem: str, output: str | None, *, as_json: bool) -> int:
 
 def _files(done: Design, path: Path) -> dict[str, str]:
     """Texts by file name; the law file comes first."""
-    digest = "sha256:" + hashlib.sha256(path.read_bytes()).hexdigest()
+    digest = "sha256:" + hashlib.sha256(done.source.text.encode("utf-8", "replace")).hexdigest()
     provenance: dict[str, Any] = {
         "problem": path.name,
         "problem_digest": digest,

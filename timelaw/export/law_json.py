@@ -38,10 +38,8 @@ def _layout(document: dict[str, Any]) -> str:
     lines = []
     for key, value in document.items():
         if isinstance(value, list):
-            entries = ",\n".join(
-                "  " + json.dumps(entry, ensure_ascii=False, allow_nan=False) for entry in value
-            )
+            entries = ",\n".join("  " + json.dumps(entry, allow_nan=False) for entry in value)
             lines.append(f' "{key}": [\n{entries}\n ]')
         else:
-            lines.append(f' "{key}": {json.dumps(value, ensure_ascii=False, allow_nan=False)}')
+            lines.append(f' "{key}": {json.dumps(value, allow_nan=False)}')
     return "{\n" + ",\n".join(lines) + "\n}"

@@ -33,6 +33,8 @@ def to_document(law: QuaternionLaw) -> dict[str, Any]:
         "duration": law.duration,
         "limits": _bounds(law.limits),
     }
+    if law.continuity:
+        document["continuity"] = law.continuity
     if law.inertia is not None:
         document["body"] = {"inertia": law.inertia.tolist()}
     if law.before or law.after:
@@ -94,6 +96,8 @@ def from_document(document: Any, path: str = "") -> QuaternionLaw:
     if read.conventions != CONVENTIONS:
         raise InputError(Fault(f"{read.conventions}; allowed: {CONVENTIONS}", "conventions", path))
     inertia = np.array(read.body.inertia, dtype=float) if read.body else None
+    if not read.limits:
+        raise InputError(Fault("at least one limit is needed, or there is nothing to prove", "limits", path))
     for limits in (read.limits, *(s.limits for s in read.segments if isinstance(s, ArcDocument))):
         _check_limits(limits, inertia, path)
     before, after = (
@@ -105,7 +109,9 @@ def from_document(document: Any, path: str = "") -> QuaternionLaw:
         for rates in (read.outside.before, read.outside.after)
     )
     segments = tuple(_arc(s) if isinstance(s, ArcDocument) else _dwell(s) for s in read.segments)
-    return QuaternionLaw(read.name, segments, _read_bounds(read.limits), inertia, before, after)
+    return QuaternionLaw(
+        read.name, segments, _read_bounds(read.limits), inertia, read.continuity, before, after
+    )
 
 
 def _check_limits(limits: Mapping[str, Any], inertia: Any, path: str) -> None:

@@ -1,12 +1,14 @@
 """Read a law file: JSON, version 1, as plain data and as the motion it defines."""
 
 import json
+from math import isfinite
 from pathlib import Path
 from typing import Any
 
 from timelaw.errors import Fault, InputError
 from timelaw.motion.document import from_document
 from timelaw.motion.quaternion_law import QuaternionLaw
+from timelaw.problem.load import read_text
 
 MAX_BYTES = 500_000_000
 
@@ -18,14 +20,14 @@ def read_law(path: Path) -> tuple[QuaternionLaw, dict[str, Any]]:
         InputError: the file cannot be read, is not JSON, or is not a law file of this version.
     """
     try:
-        if path.stat().st_size > MAX_BYTES:
-            raise InputError(Fault(f"larger than {MAX_BYTES // 1_000_000} MB", "", str(path)))
-        text = path.read_text(encoding="utf-8-sig")
-        document = json.loads(text, parse_constant=_refuse, object_pairs_hook=_once)
-    except OSError as error:
-        raise InputError(Fault(f"cannot be read: {error.strerror or error}", "", str(path))) from None
-    except UnicodeDecodeError:
-        raise InputError(Fault("is not a UTF-8 text", "", str(path))) from None
+        text = read_text(path, MAX_BYTES)
+        document = json.loads(
+            text,
+            parse_constant=_number,
+            parse_float=_number,
+            parse_int=_whole,
+            object_pairs_hook=_once,
+        )
     except json.JSONDecodeError as error:
         raise InputError(
             Fault(f"not readable as JSON: {error.msg}", "", str(path), error.lineno, error.colno)
@@ -38,8 +40,16 @@ def read_law(path: Path) -> tuple[QuaternionLaw, dict[str, Any]]:
     return from_document(document, str(path)), document
 
 
-def _refuse(constant: str) -> float:
-    raise ValueError(f"{constant} is not a number")
+def _number(text: str) -> float:
+    number = float(text)
+    if not isfinite(number):
+        raise ValueError(f"{text} is not a finite number")
+    return number
+
+
+def _whole(text: str) -> int:
+    _number(text)
+    return int(text)
 
 
 def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:

@@ -28,14 +28,15 @@ class QuaternionLaw:
     """Segments that follow each other from t = 0.
 
     `limits` are the bounds the law is made for, in SI, `inertia` J (3, 3) [kg·m²] where they need
-    it. `before` and `after` are the rates (3,) by order with which the motion is entered and left;
-    an order that is not there is zero.
+    it, `continuity` k the class C^k that was asked for. `before` and `after` are the rates (3,) by
+    order with which the motion is entered and left; an order that is not there is zero.
     """
 
     name: str
     segments: tuple[Segment, ...]
     limits: Mapping[str, Bounds]
     inertia: Array | None = None
+    continuity: int = 0
     before: Mapping[int, Array] = field(default_factory=dict)
     after: Mapping[int, Array] = field(default_factory=dict)
 
@@ -99,8 +100,10 @@ class QuaternionLaw:
         return [*((row, "") for row in general), *((row, segment.name) for row in own)]
 
 
-def compose(name: str, route: Route, time_law: TimeLaw, schedule: Schedule) -> QuaternionLaw:
-    """Lay a time law along its route."""
+def compose(
+    name: str, route: Route, time_law: TimeLaw, schedule: Schedule, continuity: int = 0
+) -> QuaternionLaw:
+    """Lay a time law along its route; `continuity` is what was asked of it."""
     segments: list[Segment] = []
     for kind, index, start, duration in time_law.intervals():
         if kind == "dwell":
@@ -115,4 +118,4 @@ def compose(name: str, route: Route, time_law: TimeLaw, schedule: Schedule) -> Q
         for rates, leg in ((schedule.start, route.legs[0]), (schedule.end, route.legs[-1]))
     )
     before, after = outside
-    return QuaternionLaw(name, tuple(segments), schedule.limits, schedule.inertia, before, after)
+    return QuaternionLaw(name, tuple(segments), schedule.limits, schedule.inertia, continuity, before, after)

@@ -1,16 +1,17 @@
 """What a law file may hold: its parts as models, with the ranges in which numbers make sense."""
 
 from itertools import pairwise
+from math import pi
 from typing import Annotated, Any, Literal
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field, model_validator
+from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, model_validator
 
 from timelaw.problem.values import LEAST, MOST
 
 SHORTEST, LONGEST = 1e-9, 1e12  # s; cubes and fourth powers of times stay far from overflow
 NARROWEST = 1e-12  # interval of an easing
 WIDEST = 1e6  # control point of an easing, which runs from 0 to 1
-LARGEST_ANGLE = 6.3  # rad; a leg turns the body by no more than once around
+LARGEST_ANGLE = pi + 1e-6  # rad; a leg goes the shorter way round
 
 Number = Annotated[float, Field(allow_inf_nan=False)]
 Control = Annotated[float, Field(ge=-WIDEST, le=WIDEST)]
@@ -19,6 +20,13 @@ Vector3 = Annotated[list[Number], Field(min_length=3, max_length=3)]
 Vector4 = Annotated[list[Number], Field(min_length=4, max_length=4)]
 BoundsDocument = dict[str, Annotated[Any, AfterValidator(lambda value: _bound(value))]]
 RATES = {1: "omega", 2: "alpha", 3: "jerk"}
+
+
+def _no_truth(value: Any) -> Any:
+    """The number 1, which Python takes `true` for."""
+    if isinstance(value, bool):
+        raise ValueError("Input should be 1")
+    return value
 
 
 def _bound(value: Any) -> Any:
@@ -106,11 +114,12 @@ class LawDocument(_Part):
     """What a reader needs of a law file."""
 
     format: Literal["timelaw-law"]
-    version: Literal[1]
+    version: Annotated[Literal[1], BeforeValidator(_no_truth)]
     name: str
     conventions: dict[str, str]
     duration: Duration
     limits: BoundsDocument
+    continuity: Annotated[int, Field(ge=0, le=4)] = 0
     body: BodyDocument | None = None
     outside: OutsideDocument = OutsideDocument()
     segments: Annotated[

@@ -37,6 +37,8 @@ def solve(symbols: dict[str, Any], start: Array, bounds: dict[str, Array]) -> Ou
     result = solver(x0=np.clip(start, bounds["lbx"], bounds["ubx"]), **bounds)
     status = solver.stats()
     text = status["return_status"]
+    if text == "User_Requested_Stop":  # CasADi takes the interrupt from Python
+        raise KeyboardInterrupt
     return Outcome(
         np.array(result["x"]).ravel(),
         solved=text == "Solve_Succeeded",

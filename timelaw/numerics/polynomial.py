@@ -11,7 +11,7 @@ from timelaw.numerics.bernstein import UNIT_ROUNDOFF, elevate
 Array = NDArray[np.float64]
 
 
-SCALAR_ROUNDING = 10 * UNIT_ROUNDOFF  # scalars are powers and quotients, themselves rounded a few times
+SCALAR_ROUNDING = 16 * UNIT_ROUNDOFF  # scalars are powers and quotients, themselves rounded a few times
 
 
 @dataclass(frozen=True)

@@ -26,16 +26,20 @@ def load(path: Path) -> tuple[Problem, Source]:
     return _check(source), source
 
 
-def read_text(path: Path) -> str:
-    """The text of a file, or an InputError that says why not."""
+def read_text(path: Path, most: int = MAX_BYTES) -> str:
+    """The text of a file of at most so many bytes, or an InputError that says why not."""
     try:
-        if path.stat().st_size > MAX_BYTES:
-            raise InputError(Fault(f"larger than {MAX_BYTES // 1_000_000} MB", "", str(path)))
-        return path.read_text(encoding="utf-8-sig")
+        with path.open("rb") as file:
+            content = file.read(most + 1)
+        if len(content) > most:
+            raise InputError(Fault(f"larger than {most // 1_000_000} MB", "", str(path)))
+        return content.decode("utf-8-sig")
     except OSError as error:
         raise InputError(Fault(f"cannot be read: {error.strerror or error}", "", str(path))) from None
     except UnicodeDecodeError:
         raise InputError(Fault("is not a UTF-8 text", "", str(path))) from None
+    except ValueError as error:  # a name that no file can have
+        raise InputError(Fault(f"cannot be read: {error}", "", repr(str(path)))) from None
 
 
 def parse(text: str, path: str = "<problem>") -> Problem:

@@ -7,13 +7,15 @@ from typing import Any
 
 from ruamel.yaml import YAML
 from ruamel.yaml.composer import ComposerError
-from ruamel.yaml.constructor import DuplicateKeyError
 from ruamel.yaml.error import MarkedYAMLError, YAMLError
-from ruamel.yaml.nodes import MappingNode, Node, SequenceNode
+from ruamel.yaml.nodes import MappingNode, Node, ScalarNode, SequenceNode
 
 from timelaw.errors import Fault, InputError, TimelawError
 
 Path = tuple[str | int, ...]
+Place = tuple[int, int]
+
+MOST_VALUES = 500_000  # a few bytes of aliases can stand for more than memory holds
 
 
 @dataclass(frozen=True)
@@ -21,6 +23,7 @@ class Source:
     """Plain data of one document and where each part stands (line, column, both from 1)."""
 
     data: Any
+    text: str
     path: str
     keys: dict[Path, tuple[int, int]]
     values: dict[Path, tuple[int, int]]
@@ -66,29 +69,24 @@ def read(text: str, path: str) -> Source:
     yaml = YAML(typ="safe", pure=True)
     try:
         node = yaml.compose(text)
-        _refuse_cycles(node, ())
+        _refuse_cycles(node, (), set())
+        keys, values = _places(node, path)
         data = _with_text_keys(yaml.load(text))
-    except DuplicateKeyError as error:
-        key = str(error.problem).split('"')[1] if '"' in str(error.problem) else "?"
-        raise InputError(_marked(error, f'duplicate key "{key}"', path)) from None
     except MarkedYAMLError as error:
         what = " ".join(str(part) for part in (error.context, error.problem) if part)
         raise InputError(_marked(error, f"not readable as YAML: {what}", path)) from None
-    except (YAMLError, ValueError) as error:
-        what = str(error).strip().splitlines()[0]
+    except RecursionError:
+        raise InputError(Fault("not readable as YAML: nested too deeply", "", path, 1, 1)) from None
+    except (YAMLError, ValueError, LookupError, TypeError, AttributeError, ArithmeticError) as error:
+        # besides its own errors the parser lets those of Python out, for odd tags and keys
+        what = (str(error).strip().splitlines() or [type(error).__name__])[0]
         raise InputError(Fault(f"not readable as YAML: {what}", "", path, 1, 1)) from None
     if not isinstance(data, dict):
         given = "an empty file" if data is None else f"a {_name(data)}"
         raise InputError(
             Fault(f'{given}; a problem file is a mapping that starts with "timelaw: 1"', "", path, 1, 1)
         )
-    keys: dict[Path, tuple[int, int]] = {}
-    values: dict[Path, tuple[int, int]] = {}
-    for where, key_node, value_node in _walk(node, ()):
-        values[where] = (value_node.start_mark.line + 1, value_node.start_mark.column + 1)
-        if key_node is not None:
-            keys[where] = (key_node.start_mark.line + 1, key_node.start_mark.column + 1)
-    return Source(data, path, keys, values)
+    return Source(data, text, path, keys, values)
 
 
 def _marked(error: MarkedYAMLError, message: str, path: str) -> Fault:
@@ -103,14 +101,33 @@ def _with_text_keys(data: Any) -> Any:
     return [_with_text_keys(value) for value in data] if isinstance(data, list) else data
 
 
-def _refuse_cycles(node: Node | None, ancestors: tuple[int, ...]) -> None:
+def _refuse_cycles(node: Node | None, ancestors: tuple[int, ...], done: set[int]) -> None:
     """An alias may repeat a part of the file, but not the part it stands in."""
     if node is not None and id(node) in ancestors:
         raise ComposerError(None, None, "an alias repeats the part it stands in", node.start_mark)
-    if isinstance(node, MappingNode | SequenceNode):
-        for child in node.value:
-            for part in child if isinstance(child, tuple) else (child,):
-                _refuse_cycles(part, (*ancestors, id(node)))
+    if id(node) in done or not isinstance(node, MappingNode | SequenceNode):
+        return
+    for child in node.value:
+        for part in child if isinstance(child, tuple) else (child,):
+            _refuse_cycles(part, (*ancestors, id(node)), done)
+    done.add(id(node))
+
+
+def _places(node: Node | None, path: str) -> tuple[dict[Path, Place], dict[Path, Place]]:
+    """Line and column of every key and of every value, both from 1."""
+    keys: dict[Path, Place] = {}
+    values: dict[Path, Place] = {}
+    for where, key_node, value_node in _walk(node, ()) if node is not None else ():
+        if len(values) == MOST_VALUES:
+            raise ComposerError(None, None, f"more than {MOST_VALUES} values", value_node.start_mark)
+        values[where] = (value_node.start_mark.line + 1, value_node.start_mark.column + 1)
+        if key_node is None:
+            continue
+        place = (key_node.start_mark.line + 1, key_node.start_mark.column + 1)
+        if where in keys and keys[where] != place:
+            raise InputError(Fault(f'duplicate key "{where[-1]}"', "", path, *place))
+        keys[where] = place
+    return keys, values
 
 
 def _name(data: Any) -> str:
@@ -121,6 +138,8 @@ def _walk(node: Node, path: Path) -> Iterator[tuple[Path, Node | None, Node]]:
     """Yield (path, key node, value node) of everything below `node`."""
     if isinstance(node, MappingNode):
         for key, value in node.value:
+            if not isinstance(key, ScalarNode):
+                raise ComposerError(None, None, "a key must be a text", key.start_mark)
             where = (*path, key.value)
             yield where, key, value
             yield from _walk(value, where)

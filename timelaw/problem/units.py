@@ -56,7 +56,7 @@ _UNITS: dict[str, tuple[Fraction | float, Dimension]] = {
     "mN": (Fraction(1, 1000), (0, -2, 1, 1)),
 }
 _NUMBER = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*$", re.DOTALL)
-_FACTOR = re.compile(r"([A-Za-z°]+)(?:(?:\^|\*\*)([+-]?\d{1,2}))?$")
+_FACTOR = re.compile(r"([A-Za-z°]+)(?:(?:\^|\*\*)([+-]?\d))?$")
 _SUPERSCRIPTS = str.maketrans({"²": "^2", "³": "^3", "⁴": "^4", "·": "*", "⋅": "*"})
 
 
@@ -75,7 +75,7 @@ def parse_quantity(text: str, kind: Kind) -> float:
     scale, dimension = _parse_unit(unit)
     if dimension != kind.dimension:
         raise ValueError(f'"{text}" is not {kind.name}; write it like "{kind.example}"')
-    return float(number) * float(scale)
+    return float(number) * scale
 
 
 def _parse_unit(text: str) -> tuple[float, Dimension]:

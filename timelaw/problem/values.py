@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from difflib import get_close_matches
+from math import hypot
 from typing import Annotated, Any
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict
@@ -112,11 +113,11 @@ def tour_or_labels(names: tuple[str, ...]) -> Callable[[Any], Any]:
 
 def _read_quaternion(value: Any) -> Any:
     numbers = isinstance(value, list) and all(
-        isinstance(v, int | float) and not isinstance(v, bool) for v in value
+        isinstance(v, int | float) and not isinstance(v, bool) and not abs(v) > MOST for v in value
     )
     if not numbers or len(value) != 4:
         raise fault("expected a quaternion of four numbers [w, x, y, z]")
-    norm = sum(float(v) ** 2 for v in value) ** 0.5
+    norm = hypot(*value)
     if not abs(norm - 1) <= NORM_TOLERANCE:
         raise fault(f"{value} has norm {norm:.6g}; a unit quaternion [w, x, y, z] is needed")
     return tuple(float(v) for v in value)

@@ -109,6 +109,7 @@ def _labels(ax: Any, design: Design) -> None:
             ha="center",
             fontsize=7.5,
             color="#555555",
+            parse_math=False,
         )
 
 
@@ -142,7 +143,7 @@ def _durations(ax: Any, design: Design) -> None:
                 heights = [s.duration for s in certified.law.segments if isinstance(s, Arc)][:count]
                 ax.bar(place, heights, width=width, color=colour)
     names = [leg.name for leg in design.route.legs[:count]]
-    ax.set_xticks(place, names, rotation=90, fontsize=7)
+    ax.set_xticks(place, names, rotation=90, fontsize=7, parse_math=False)
     ax.set_title("duration of each leg [s]" + _excerpt(design.optimised.law), fontsize=9)
 
 

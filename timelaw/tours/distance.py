@@ -7,6 +7,7 @@ from timelaw.numerics.quaternion import angle_between
 
 Array = NDArray[np.float64]
 
+BLOCK = 256  # rows of the distance matrix at a time: a few megabytes also for many orientations
 NEIGHBOUR_TOLERANCE = 1e-9  # rad; lattice distances agree to 1e-15, and differ by 0.1 and more otherwise
 
 
@@ -15,6 +16,13 @@ def distances(quaternions: Array) -> Array:
     return angle_between(quaternions[:, None, :], quaternions[None, :, :])
 
 
-def minimal_distance(angles: Array) -> float:
-    """Least angle [rad] between two different entries of a distance matrix (N, N)."""
-    return float(np.min(angles[~np.eye(len(angles), dtype=bool)]))
+def minimal_distance(quaternions: Array) -> float:
+    """Least rotation angle [rad] between two different ones of the orientations (N, 4), block by block."""
+    least = np.inf
+    for start in range(0, len(quaternions), BLOCK):
+        rows = np.arange(start, min(start + BLOCK, len(quaternions)))
+        cosines = np.abs(quaternions[rows] @ quaternions.T)
+        cosines[np.arange(len(rows)), rows] = -1.0
+        row, column = np.unravel_index(np.argmax(cosines), cosines.shape)
+        least = min(least, float(angle_between(quaternions[rows[row]], quaternions[column])))
+    return least

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from timelaw.errors import Fault, InputError
-from timelaw.tours.distance import NEIGHBOUR_TOLERANCE, minimal_distance
+from timelaw.tours.distance import NEIGHBOUR_TOLERANCE
 
 SEED = 20170112
 STEPS_PER_NODE = 400  # rotations before a fresh start; a path is found after about 10 a node
@@ -25,7 +25,7 @@ def shortest(angles: NDArray[np.float64], *, closed: bool) -> tuple[int, ...]:
     Raises:
         InputError: none was found.
     """
-    near = angles <= minimal_distance(angles) + NEIGHBOUR_TOLERANCE
+    near = angles <= float(np.min(angles[~np.eye(len(angles), dtype=bool)])) + NEIGHBOUR_TOLERANCE
     np.fill_diagonal(near, val=False)
     neighbours = [list(map(int, np.flatnonzero(row))) for row in near]
     random = Random(SEED)

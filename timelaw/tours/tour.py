@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from timelaw.errors import Fault, InputError, some
+from timelaw.numerics.quaternion import angle_between
 from timelaw.orientations import OrientationSet
 from timelaw.problem.model import RouteModel
 from timelaw.tours.distance import NEIGHBOUR_TOLERANCE, distances, minimal_distance
@@ -56,10 +57,9 @@ def tour(spec: RouteModel, points: OrientationSet) -> Tour:
         if isinstance(spec.tour, tuple)
         else TOURS[spec.tour](points, spec.closed)
     )
-    angles = distances(points.quaternions)
-    stops = order + order[:1] if spec.closed else order
-    length = float(np.sum(angles[stops[:-1], stops[1:]]))
-    return Tour(order, spec.closed, length, minimal_distance(angles))
+    visits = points.quaternions[list(order + order[:1] if spec.closed else order)]
+    length = float(np.sum(angle_between(visits[:-1], visits[1:])))
+    return Tour(order, spec.closed, length, minimal_distance(points.quaternions))
 
 
 def _given(points: OrientationSet, _closed: bool) -> Order:
