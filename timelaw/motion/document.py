@@ -100,13 +100,10 @@ def from_document(document: Any, path: str = "") -> QuaternionLaw:
         raise InputError(Fault("at least one limit is needed, or there is nothing to prove", "limits", path))
     for limits in (read.limits, *(s.limits for s in read.segments if isinstance(s, ArcDocument))):
         _check_limits(limits, inertia, path)
+    outside = (read.outside.before, read.outside.after) if read.outside else (None, None)
     before, after = (
-        {
-            k: np.array(getattr(rates, name), dtype=float)
-            for k, name in RATES.items()
-            if any(getattr(rates, name))
-        }
-        for rates in (read.outside.before, read.outside.after)
+        {k: np.array(getattr(rates, name), dtype=float) for k, name in RATES.items()} if rates else {}
+        for rates in outside
     )
     segments = tuple(_arc(s) if isinstance(s, ArcDocument) else _dwell(s) for s in read.segments)
     return QuaternionLaw(

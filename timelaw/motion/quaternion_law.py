@@ -20,7 +20,7 @@ from timelaw.time_law.time_law import locate
 Array = NDArray[np.float64]
 
 Segment = Arc | Dwell
-MAX_ORDER = 3  # q, ω, α and jerk are what a law is evaluated for
+MAX_ORDER = 4  # q, ω, α, jerk and snap are what a law is evaluated for
 
 
 @dataclass(frozen=True)
@@ -56,15 +56,15 @@ class QuaternionLaw:
         return (self.segments[0].origin, *(s.target for s in self.segments))
 
     def __call__(self, t: ArrayLike, order: int = 0, side: Side = "right") -> Array:
-        """Unit quaternions q (..., 4) for order 0; ω, α, jerk (..., 3) in body axes for 1, 2, 3.
+        """Unit quaternions q (..., 4) for order 0; ω, α, jerk, snap (..., 3) in body axes for 1 to 4.
 
         At a node, or a break inside a segment, the value from the given side.
 
         Raises:
-            ValueError: t (...) outside [0, duration], or an order other than 0 to 3.
+            ValueError: t (...) outside [0, duration], or an order other than 0 to 4.
         """
-        if order not in (0, 1, 2, 3):
-            raise ValueError(f"order {order}; 0 (q), 1 (ω), 2 (α) or 3 (jerk) is needed")
+        if order not in range(MAX_ORDER + 1):
+            raise ValueError(f"order {order}; 0 (q), 1 (ω), 2 (α), 3 (jerk) or 4 (snap) is needed")
         t = np.asarray(t, dtype=float)
         index = locate(self.times, t, side)
         value = np.empty((*t.shape, 4 if order == 0 else 3))
@@ -113,9 +113,11 @@ def compose(
         leg, easing = route.legs[index], time_law.timings[index].easing
         ends = (leg.origin, leg.target, start, duration, leg.start, leg.end, leg.axis, leg.angle)
         segments.append(Arc(*ends, easing, schedule.leg_limits.get(index, {})))
-    outside = tuple(
-        {k: rate * leg.axis for k, rate in enumerate(rates, 1) if k <= MAX_ORDER}
+    moving = any(schedule.start) or any(schedule.end)
+    before, after = (
+        {k: rate * leg.axis for k, rate in enumerate([*rates, *[0.0] * MAX_ORDER][:MAX_ORDER], 1)}
+        if moving
+        else {}
         for rates, leg in ((schedule.start, route.legs[0]), (schedule.end, route.legs[-1]))
     )
-    before, after = outside
     return QuaternionLaw(name, tuple(segments), schedule.limits, schedule.inertia, continuity, before, after)

@@ -19,7 +19,7 @@ Duration = Annotated[float, Field(ge=SHORTEST, le=LONGEST)]
 Vector3 = Annotated[list[Number], Field(min_length=3, max_length=3)]
 Vector4 = Annotated[list[Number], Field(min_length=4, max_length=4)]
 BoundsDocument = dict[str, Annotated[Any, AfterValidator(lambda value: _bound(value))]]
-RATES = {1: "omega", 2: "alpha", 3: "jerk"}
+RATES = {1: "omega", 2: "alpha", 3: "jerk", 4: "snap"}
 
 
 def _no_truth(value: Any) -> Any:
@@ -101,6 +101,7 @@ class RatesDocument(_Part):
     omega: Vector3 = [0.0, 0.0, 0.0]
     alpha: Vector3 = [0.0, 0.0, 0.0]
     jerk: Vector3 = [0.0, 0.0, 0.0]
+    snap: Vector3 = [0.0, 0.0, 0.0]
 
 
 class OutsideDocument(_Part):
@@ -121,7 +122,7 @@ class LawDocument(_Part):
     limits: BoundsDocument
     continuity: Annotated[int, Field(ge=0, le=4)] = 0
     body: BodyDocument | None = None
-    outside: OutsideDocument = OutsideDocument()
+    outside: OutsideDocument | None = None
     segments: Annotated[
         list[Annotated[ArcDocument | DwellDocument, Field(discriminator="kind")]], Field(min_length=1)
     ]

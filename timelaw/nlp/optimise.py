@@ -3,9 +3,11 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
-from timelaw.easing import PolynomialBasis, Timing, smoothstep
-from timelaw.errors import InfeasibleError
-from timelaw.nlp.program import Program, RunProblem, Solution, Status
+from timelaw.easing import PolynomialBasis, Timing, fraction, smoothstep
+from timelaw.errors import Fault, InfeasibleError
+from timelaw.nlp.couple import couple, deadlines
+from timelaw.nlp.program import Program, RunProblem, Solution, Status, total
+from timelaw.problem.goal import Goal
 from timelaw.route import Route
 from timelaw.schedule import Schedule
 
@@ -76,16 +78,26 @@ def solve_run(problem: RunProblem) -> Solution:
     if program.elastic:
         candidates.append(fallback)
     if not candidates:
-        raise InfeasibleError("a run with given durations or end rates has no law within the limits")
+        raise InfeasibleError(_why(program, whole))
     return min(candidates, key=lambda s: s.duration)
+
+
+def _why(program: Program, start: tuple[Timing, ...]) -> Fault:
+    """By how much the limits would have to give for the durations and end rates that are given."""
+    from timelaw.nlp.exchange import solve_from
+
+    peak = solve_from(replace(program, objective="peak"), start)
+    what = "within the given durations and end rates of a run"
+    if peak is None:
+        return Fault(f"{what} the solver found no law; give more time or another degree", "segments")
+    used = fraction(program.demands, peak.timings)
+    return Fault(f"{what} the limits would have to be {used:.6g} times as large", "segments")
 
 
 def _plausible(program: Program, solution: Solution, fallback: Solution) -> bool:
     """Faster than the closed form; where time cannot be stretched, within the limits."""
     if program.elastic:
         return solution.duration <= fallback.duration * (1 + SAME_TIME)
-    from timelaw.easing import fraction
-
     return fraction(program.demands, solution.timings) <= 1
 
 
@@ -96,11 +108,19 @@ def _second_start(problem: RunProblem) -> list[Timing]:
 
 
 def optimise(
-    route: Route, schedule: Schedule, basis: PolynomialBasis, progress: Progress | None = None
+    route: Route, schedule: Schedule, basis: PolynomialBasis, goal: Goal, progress: Progress | None = None
 ) -> Optimised:
-    """The law of least time on a route under a schedule.
+    """The law that makes the objective least on a route under a schedule.
 
     Raises:
         InfeasibleError: the schedule cannot be met.
     """
-    return least_time(run_problems(route, schedule, basis), progress)
+    runs = run_problems(route, schedule, basis)
+    least = least_time(runs, progress)
+    given = deadlines(route, schedule, goal, total(least.timings) + schedule.dwell_time)
+    if goal.minimise == "time" and not given:
+        return least
+    if progress is not None:
+        progress("solving all runs together", len(least.solutions), len(least.solutions) + 1)
+    solution = couple(runs, least.timings, goal, given)
+    return Optimised(solution.timings, (solution,), (0,) * len(runs))

@@ -68,6 +68,10 @@ class Status(Enum):
     ACCEPTABLE = (
         "solved to the solver's acceptable tolerance only; the law holds its limits, but may not be least"
     )
+    LEAST_PEAK = (
+        "the solver failed on the objective: the law that uses the least part of the limits is used; "
+        "try another easing degree or more time"
+    )
     CLOSED_FORM = (
         "the solver failed from every start: the smoothstep over the run is used; try another easing degree"
     )

@@ -26,6 +26,8 @@ class TotalTime:
 
 def _total_time(value: Any) -> TotalTime:
     """A time, or "1.5 x minimum"."""
+    if isinstance(value, TotalTime):
+        return value
     if not (isinstance(value, str) and value.endswith(RELATIVE)):
         return TotalTime(read_quantity(value, TIME))
     try:

@@ -16,6 +16,7 @@ from timelaw.certificate.continuity import JUMP_TOLERANCE
 from timelaw.motion import Arc
 from timelaw.nlp.exchange import GAP
 from timelaw.pipeline import Design
+from timelaw.problem.goal import Goal
 from timelaw.report.figures import figures
 from timelaw.report.summary import law_rows, run_rows
 from timelaw.time_law import physical_limit
@@ -55,6 +56,7 @@ def _context(design: Design, digest: str, pictures: dict[str, str]) -> dict[str,
         "rows": rows,
         "arcs": [s for s in design.optimised.law.segments if isinstance(s, Arc)],
         "best": rows[0],
+        "objective": _objective(design.problem.objective),
         "least": physical_limit(design.route, design.schedule),
         "limits": [check.limit for check in design.optimised.certificate.limits],
         "runs": run_rows(design),
@@ -76,6 +78,17 @@ def _context(design: Design, digest: str, pictures: dict[str, str]) -> dict[str,
 def _kinds(nodes: tuple[NodeReport, ...]) -> dict[str, float]:
     """The largest jump of each rate over all nodes of a law."""
     return {name: max(node.jump[name] for node in nodes) for name, _, _ in RATES}
+
+
+def _objective(goal: Goal) -> str:
+    """The objective in words."""
+    if goal.minimise == "time":
+        return "least total time"
+    if goal.total_time is None:
+        return f"least time plus {goal.weight:g} times {goal.minimise}, each relative to the least-time law"
+    unit = "times the least time" if goal.total_time.relative else "s"
+    what = "used part of the limits" if goal.minimise == "peak" else goal.minimise
+    return f"least {what} in a total time of {goal.total_time.value:g} {unit}"
 
 
 def _shown(value: float, unit: str) -> str:

@@ -51,8 +51,6 @@ def schedule(problem: Problem, route: Route) -> Schedule:
     Raises:
         InputError: a label or leg that the tour does not have.
     """
-    if problem.objective.minimise != "time" or any(r.time is not None for r in problem.nodes.at.values()):
-        raise InputError(Fault("only least time without given times is solved so far", "objective"))
     given, inertia = problem.limits.given(), problem.inertia()
     rules, legs = _node_rules(problem, route), _leg_rules(problem, route)
     base = limits_of(given, inertia)

@@ -1,0 +1,132 @@
+"""Objectives in a given time: closed forms of least jerk, energy and snap; peak; the split of durations."""
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq
+
+from tests.conftest import demand
+from tests.oracles import LinearProgram
+from timelaw.easing import PolynomialBasis, fraction
+from timelaw.easing.smoothstep import smoothstep
+from timelaw.errors import InfeasibleError
+from timelaw.nlp import Budget, RunProblem, Status
+from timelaw.nlp.couple import Deadline, couple
+from timelaw.nlp.exchange import effort_of
+from timelaw.nlp.optimise import least_time
+from timelaw.nlp.program import Program, total
+from timelaw.numerics.bernstein import elevate
+from timelaw.problem.goal import Goal, TotalTime
+
+ROBOT = {"velocity": 1.0, "acceleration": 2.0, "jerk": 10.0}
+INERTIA = np.diag([12.0, 10.0, 8.0])
+
+
+def solve(angles, minimise, factor=None, degree=9, continuity=2, limits=ROBOT, weight=None):
+    """Legs from stop to stop, in `factor` times their least time."""
+    runs = [
+        RunProblem((demand(a, limits, inertia=INERTIA),), PolynomialBasis(degree, continuity)) for a in angles
+    ]
+    least = least_time(runs)
+    given, goal = [], {"weight": weight}
+    if factor is not None:
+        time = factor * total(least.timings)
+        given = [Deadline(Budget(len(angles), time), "objective.total_time", "the end", 0.0)]
+        goal = {"total_time": TotalTime(time)}
+    solution = couple(runs, least.timings, Goal(minimise=minimise, **goal), given)
+    assert solution.status in (Status.OPTIMAL, Status.SECOND_START)
+    return Program(tuple(runs)), least.timings, solution
+
+
+# what is least, continuity, limits, the easing it is known to have, and its cost in closed form
+CLOSED = {
+    "jerk": (2, ROBOT, 2, lambda a, t: 720 * a**2 / t**5),
+    "energy": (1, {"velocity": 1.0, "acceleration": 2.0}, 1, lambda a, t: 12 * a**2 / t**3),
+    "snap": (3, ROBOT, 3, lambda a, t: 100800 * a**2 / t**7),
+}
+
+
+@pytest.mark.parametrize("minimise", CLOSED)
+def test_least_effort_in_a_given_time_is_the_smoothstep(minimise):
+    continuity, limits, order, cost = CLOSED[minimise]
+    program, _, solution = solve([2.0], minimise, 3.0, 9, continuity, limits)
+    np.testing.assert_allclose(
+        solution.timings[0].easing.pieces[0], elevate(smoothstep(order), 9), rtol=0, atol=1e-8
+    )
+    assert effort_of(minimise, program, solution.timings) == pytest.approx(
+        cost(2.0, solution.duration), rel=1e-9
+    )
+
+
+@pytest.mark.parametrize(("minimise", "power"), [("jerk", 1 / 3), ("energy", 1 / 2)])
+def test_durations_split_by_a_power_of_the_angle(minimise, power):
+    continuity, limits, _, _ = CLOSED[minimise]
+    angles = [2.0, 0.5, 1.0, 0.1]
+    _, _, solution = solve(angles, minimise, 5.0, 9, continuity, limits)
+    shares = [t.duration / a**power for t, a in zip(solution.timings, angles, strict=True)]
+    np.testing.assert_allclose(shares, shares[0], rtol=1e-6)
+
+
+@pytest.mark.parametrize("minimise", ["jerk", "energy", "snap", "torque"])
+def test_limits_hold_and_effort_falls_with_time(minimise):
+    efforts = []
+    for factor in (1.02, 1.1, 1.5):
+        program, least, solution = solve([2.0, 1.0], minimise, factor, 9, 3)
+        assert fraction(program.demands, solution.timings) <= 1
+        assert solution.duration == pytest.approx(factor * total(least), rel=1e-12)
+        efforts.append(effort_of(minimise, program, solution.timings))
+        stretched = [t.stretched(factor) for t in least]
+        assert efforts[-1] <= effort_of(minimise, program, stretched)
+    assert efforts[0] > efforts[1] > efforts[2]
+
+
+def test_the_effort_of_torque_is_the_integral_of_eulers_equation():
+    program, _, solution = solve([2.0], "torque", 1.5)
+    timing, leg = solution.timings[0], program.demands[0]
+    tau = (np.arange(4000) + 0.5) / 4000
+    axis = np.array([2.0, 3.0, 6.0]) / 7
+    first, second = (2.0 / timing.duration**k * timing.easing(tau, k) for k in (1, 2))
+    torque = np.outer(second, INERTIA @ axis) + np.outer(first**2, np.cross(axis, INERTIA @ axis))
+    expected = np.mean(np.sum(torque**2, axis=1)) * timing.duration
+    assert leg.torque is not None
+    assert effort_of("torque", program, solution.timings) == pytest.approx(expected, rel=1e-5)
+
+
+def test_peak_at_the_least_time_is_one():
+    program, least, solution = solve([2.0, 0.7], "peak", 1.0)
+    assert fraction(program.demands, solution.timings) == pytest.approx(1.0, abs=1e-9)
+    assert solution.duration == pytest.approx(total(least), rel=1e-12)
+
+
+def test_peak_scales_as_the_limits_would():
+    """The least part p in time T is where T is the least time under p times the limits."""
+    program, least, solution = solve([2.0], "peak", 2.0)
+
+    def slower(p):
+        limits = {k: p * bound for k, bound in enumerate(ROBOT.values(), 1)}
+        return LinearProgram(9, 2, (2.0,), limits).solve()[0] - 2.0 * total(least)
+
+    expected = brentq(slower, 0.2, 0.9, xtol=1e-5)
+    assert fraction(program.demands, solution.timings) == pytest.approx(expected, rel=1e-4)
+
+
+def test_too_little_time_says_the_earliest_and_how_much_is_missing():
+    with pytest.raises(InfeasibleError, match=r"too early for the end: the earliest possible is .* later"):
+        solve([2.0], "jerk", 0.9)
+
+
+def test_weights_trade_time_against_effort():
+    results = []
+    for weight in (1e-3, 0.1, 10.0):
+        program, least, solution = solve([2.0, 1.0], "jerk", weight=weight)
+        assert fraction(program.demands, solution.timings) <= 1
+        results.append((solution.duration / total(least), effort_of("jerk", program, solution.timings)))
+    times, efforts = zip(*results, strict=True)
+    assert 1 <= times[0] < times[1] < times[2]
+    assert efforts[0] > efforts[1] > efforts[2]
+    # where no limit binds, E is the quintics' and falls as T^-5, so T + c E is least where T = 5 c E
+    least_effort = effort_of("jerk", program, least)
+    quintic = sum(
+        720 * d.angle**2 / t.duration**5 for d, t in zip(program.demands, solution.timings, strict=True)
+    )
+    assert efforts[2] == pytest.approx(quintic, rel=1e-6)
+    assert 5 * 10.0 * efforts[2] / least_effort == pytest.approx(times[2], rel=1e-5)

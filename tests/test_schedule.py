@@ -1,0 +1,144 @@
+"""Node and leg rules, from the problem file to the certified law."""
+
+import json
+
+import numpy as np
+import pytest
+
+from tests.conftest import PROBLEMS
+from timelaw import design
+from timelaw.certificate import certify
+from timelaw.certificate.certificate import compare_with_record
+from timelaw.errors import InfeasibleError, InputError
+from timelaw.export import law_json
+from timelaw.motion.document import from_document
+
+BASE = (PROBLEMS / "paper-24-cell.yaml").read_text()
+
+
+def make(tmp_path, *lines, **replacements):
+    text = BASE.replace("nodes: {continuity: 2}", "").replace("objective: time\n", "")
+    for key, value in replacements.items():
+        text = text.replace(key, value)
+    path = tmp_path / "p.yaml"
+    path.write_text(text + "\n".join(lines) + "\n")
+    return design(path)
+
+
+def verified(designed):
+    document = json.loads(law_json(designed.optimised.law, designed.optimised.certificate, {}))
+    certificate = certify(from_document(document))
+    assert certificate.findings() == []
+    assert compare_with_record(certificate, document) == []
+    return designed.optimised.law
+
+
+def test_dwells_are_rests_and_never_merged(tmp_path):
+    designed = make(tmp_path, "nodes: {dwell: 0.5 s, at: {7: {dwell: 2 s}, 9: {dwell: 0 s}}}")
+    law = verified(designed)
+    dwells = {s.at: s.duration for s in law.segments if s.kind == "dwell"}
+    assert dwells == {label: (2.0 if label == "7" else 0.5) for label in law.labels if label != "9"}
+    assert len([s for s in law.segments if s.kind == "arc"]) == 11
+    for segment in law.segments:
+        if segment.kind == "dwell":
+            t = np.linspace(segment.start_time, segment.end_time, 7)
+            assert np.max(np.abs(law(t[1:-1], 1))) == 0
+            np.testing.assert_allclose(law(t) @ segment.orientation, 1, atol=1e-15)
+    # three straight nodes have become stops: 11 legs from stop to stop at 2.859 s, 0.5 s at 10 nodes, 2 s at one
+    assert law.duration == pytest.approx(11 * 2.858994 + 10 * 0.5 + 2.0, rel=1e-6)
+
+
+def test_a_closed_tour_dwells_once_where_it_began(tmp_path):
+    law = verified(make(tmp_path, "nodes: {dwell: 1 s}", **{"tour: paper": "tour: shortest\n  closed: true"}))
+    assert [s.at for s in law.segments if s.kind == "dwell"].count("1") == 1
+
+
+def test_a_forced_stop_costs_what_the_run_saved(tmp_path):
+    law = verified(make(tmp_path, "nodes: {at: {11: {stop: true}}}"))
+    assert law.duration == pytest.approx(7 * 2.858994 + 2 * 4.844636, rel=1e-6)
+    assert np.linalg.norm(law(law.times[2], 1)) == 0
+
+
+def test_slower_legs_and_fixed_durations(tmp_path):
+    designed = make(tmp_path, "segments: {8-10: {limits: {velocity: 10 deg/s}}, 6-5: {duration: 4 s}}")
+    law = verified(designed)
+    slow = next(s for s in law.segments if s.name == "8–10")
+    t = np.linspace(slow.start_time, slow.end_time, 999)
+    assert np.degrees(np.max(np.linalg.norm(law(t, 1), axis=1))) == pytest.approx(10, rel=1e-4)
+    assert next(s for s in law.segments if s.name == "6–5").duration == pytest.approx(4.0, rel=1e-14)
+    assert [c.limit for c in designed.optimised.certificate.limits][-1] == "velocity on 8–10"
+
+
+def test_arrival_times_are_met(tmp_path):
+    law = verified(make(tmp_path, "nodes: {dwell: 0.5 s, at: {3: {time: 12 s}, 4: {time: 60 s}}}"))
+    arrival = {s.target: s.end_time for s in law.segments if s.kind == "arc"}
+    assert arrival["3"] == pytest.approx(12.0, rel=1e-12)
+    assert arrival["4"] == pytest.approx(60.0, rel=1e-12)
+
+
+def test_a_motion_that_begins_and_ends_moving(tmp_path):
+    law = verified(
+        make(
+            tmp_path,
+            "nodes: {start: {velocity: 20 deg/s}, end: {velocity: 10 deg/s, acceleration: -30 deg/s^2}}",
+        )
+    )
+    assert np.degrees(np.linalg.norm(law(0.0, 1))) == pytest.approx(20, rel=1e-12)
+    assert np.degrees(np.linalg.norm(law(law.duration, 1))) == pytest.approx(10, rel=1e-9)
+    assert np.degrees(np.linalg.norm(law(law.duration, 2))) == pytest.approx(30, rel=1e-9)
+
+
+@pytest.mark.parametrize(("continuity", "degree"), [(1, 9), (2, 9), (3, 9), (4, 11)])
+def test_the_continuity_that_is_asked_for_is_proved(tmp_path, continuity, degree):
+    limits = {"  jerk: 600 deg/s^3\n": ""} if continuity == 1 else {}
+    replacements = {"degree: 9": f"degree: {degree}", **limits}
+    designed = make(tmp_path, f"nodes: {{continuity: {continuity}}}", **replacements)
+    verified(designed)
+    assert designed.optimised.certificate.continuity.order == continuity
+
+
+FAULTS = {
+    "nodes: {at: {13: {stop: true}}}": 'nodes.at.13: the tour has no node "13"; it has 1, 12, 11, 3, 8, 10, … (12 in all)',
+    "nodes: {at: {1: {stop: true}}}": 'nodes.at.1: "1" is where the motion starts or ends; "stop" and a start time have no meaning there',
+    "segments: {1-2: {duration: 4 s}}": 'segments.1-2: the tour has no leg "1-2"; it has 1-12, 12-11, 11-3, 3-8, 8-10, 10-2, … (11 in all)',
+    "segments: {1-12: {}}": 'segments.1-12: give "duration", "limits" or both',
+    "segments: {1-12: {limits: {torque: 1 N*m}}}": 'segments.1-12.limits.torque: a limit on the torque needs "body: {inertia: …}"',
+    "segments: {1-12: {limits: {speed: 1 N*m}}}": 'segments.1-12.limits: unknown key "speed"; allowed: velocity, acceleration, jerk, snap, torque, momentum',
+    "nodes: {at: {7: {dwel: 2 s}}}": 'nodes.at.7: unknown key "dwel"; allowed: dwell, stop, time; did you mean "dwell"?',
+    "nodes: {dwell: -1 s}": 'nodes.dwell: "-1 s" is out of range; 0 to 1e+09 s are allowed',
+    "nodes: {continuity: 1}": "limits.jerk: a limit on the jerk needs continuity 2 at the nodes, not 1",
+    "body: {inertia: [1 kg*m^2, 1 kg*m^2]}": "body.inertia: three principal moments or three rows of three are needed",
+    "body: {inertia: [1 kg*m^2, 1 kg*m^2, 3 kg*m^2]}": "body.inertia: no body has the moments 1, 1, 3 kg*m^2: one is above the sum of the others",
+    "body: {inertia: [[2 kg*m^2, 1 kg*m^2, 0], [0, 2 kg*m^2, 0], [0, 0, 2 kg*m^2]]}": "body.inertia: the inertia matrix is not symmetric",
+    "body: {inertia: [[1 kg*m^2, 2 kg*m^2, 0], [2 kg*m^2, 1 kg*m^2, 0], [0, 0, 1 kg*m^2]]}": "body.inertia: the principal moments -1, 1, 3 kg*m^2 must be positive",
+    "objective: {minimise: jerk}": 'objective: to minimise jerk, give either "total_time" or "weight"',
+    "objective: {minimise: time, total_time: 3 s}": "objective: least time leaves no room for total_time; minimise jerk, energy, torque, snap or peak",
+    "objective: {minimise: torque, total_time: 60 s}": 'objective.minimise: to minimise torque, "body: {inertia: …}" is needed',
+    "objective: {minimise: jerk, total_time: 0.5 x minimum}": 'objective.total_time: "0.5 x minimum"; a factor of at least 1 is needed, as in "1.5 x minimum"',
+    "objective: {minimise: peak, weight: 2}": "objective: peak is made least in a given total_time, not against a weight",
+    "objective: {minimise: jrk, total_time: 60 s}": 'objective.minimise: "jrk"; allowed: time, jerk, energy, torque, snap, peak; did you mean "jerk"?',
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("line", FAULTS)
+def test_rules_that_make_no_sense(tmp_path, line):
+    with pytest.raises(InputError) as error:
+        make(tmp_path, line)
+    assert str(error.value).split(": ", 1)[1] == FAULTS[line]
+
+
+IMPOSSIBLE = {
+    "objective: {minimise: jerk, total_time: 20 s}": "20 s is too early for the end: the earliest possible is 28.8289 s, 8.82888 s later",
+    "nodes: {at: {3: {time: 7 s}}}": "7 s is too early for arrival at 3: the earliest possible is 7.70363 s, 0.703631 s later",
+    "nodes: {at: {3: {time: 12 s}, 8: {time: 12.5 s}}}": "12.5 s is too early for arrival at 8",
+    "segments: {1-12: {duration: 2.5 s}}": "within the given durations and end rates of a run the limits would have to be 1.16",
+    "nodes: {at: {3: {time: 8 s}}}\nsegments: {1-12: {duration: 5 s}}": "8 s is too early for arrival at 3: the earliest possible is 9.84464 s",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("lines", IMPOSSIBLE)
+def test_demands_that_cannot_be_met_say_what_would_have_to_give(tmp_path, lines):
+    with pytest.raises(InfeasibleError) as error:
+        make(tmp_path, lines)
+    assert IMPOSSIBLE[lines] in str(error.value)
+    assert error.value.exit_code == 3
