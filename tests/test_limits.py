@@ -5,7 +5,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from tests.conftest import AXIS, demand
-from timelaw.easing import Easing, PolynomialBasis, Timing, fit_to_limits, fraction, utilisation
+from timelaw.easing import Easing, PolynomialFamily, Timing, fit_to_limits, fraction, utilisation
 from timelaw.easing.phase_plane import least_time
 from timelaw.easing.smoothstep import smoothstep
 from timelaw.limits import LIMITS, limits_of, rows_on
@@ -32,7 +32,7 @@ BITING = {
 
 def solve(limits, angle=2.0, axis=AXIS, degree=9, continuity=3):
     leg = demand(angle, limits, axis, INERTIA)
-    return leg, solve_run(RunProblem((leg,), PolynomialBasis(degree, continuity)))
+    return leg, solve_run(RunProblem((leg,), PolynomialFamily(degree, continuity)))
 
 
 def test_every_limit_of_the_registry_is_tried():

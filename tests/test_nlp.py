@@ -7,7 +7,7 @@ import pytest
 
 from tests.conftest import demands, random_limits
 from tests.oracles import QUINTIC_PEAKS, LinearProgram, smoothstep_duration
-from timelaw.easing import PolynomialBasis, fraction
+from timelaw.easing import PolynomialFamily, fraction
 from timelaw.easing.double_s import least_time
 from timelaw.nlp import RunProblem, Status
 from timelaw.nlp import exchange as exchange_module
@@ -21,7 +21,7 @@ LP_AGREEMENT = 1e-4  # relative; what the project promises. Measured: some 1e-7.
 
 
 def solve(angles, limits, degree=9, continuity=2):
-    return solve_run(RunProblem(demands(angles, limits), PolynomialBasis(degree, continuity)))
+    return solve_run(RunProblem(demands(angles, limits), PolynomialFamily(degree, continuity)))
 
 
 def linear_program(angles, limits, degree=9, continuity=2, shares=(1.0,)):

@@ -6,7 +6,7 @@ from scipy.optimize import brentq
 
 from tests.conftest import demand
 from tests.oracles import LinearProgram
-from timelaw.easing import PolynomialBasis, fraction
+from timelaw.easing import PolynomialFamily, fraction
 from timelaw.easing.smoothstep import smoothstep
 from timelaw.errors import InfeasibleError
 from timelaw.nlp import Budget, RunProblem, Status
@@ -24,7 +24,8 @@ INERTIA = np.diag([12.0, 10.0, 8.0])
 def solve(angles, minimise, factor=None, degree=9, continuity=2, limits=ROBOT, weight=None):
     """Legs from stop to stop, in `factor` times their least time."""
     runs = [
-        RunProblem((demand(a, limits, inertia=INERTIA),), PolynomialBasis(degree, continuity)) for a in angles
+        RunProblem((demand(a, limits, inertia=INERTIA),), PolynomialFamily(degree, continuity))
+        for a in angles
     ]
     least = least_time(runs)
     given, goal = [], {"weight": weight}

@@ -5,7 +5,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from timelaw.certificate import Certificate, certify
-from timelaw.easing import BASES
+from timelaw.easing import Family
+from timelaw.easing.choose import families, within
 from timelaw.motion import QuaternionLaw, compose
 from timelaw.nlp import Optimised, optimise
 from timelaw.orientations import OrientationSet, orientations
@@ -38,6 +39,7 @@ class Design:
     tour: Tour
     route: Route
     schedule: Schedule
+    family: Family
     solution: Optimised
     optimised: Certified
     baselines: tuple[Certified, ...]
@@ -61,12 +63,12 @@ def design(path: str | Path, progress: Progress | None = None) -> Design:
         order = tour(problem.route, points)
         way = route(points, order)
         plan = schedule(problem, way)
-        basis = BASES[problem.easing.basis](problem.easing.degree, problem.nodes.continuity)
-        solution = optimise(way, plan, basis, problem.objective, progress)
+        candidates = families(problem)
+        family, solution = optimise(way, plan, candidates, within(problem), problem.objective, progress)
     law = _certified(problem, way, optimised(solution, plan), plan, problem.nodes.continuity)
     baselines = [b for name in problem.baselines for b in BASELINES[name](way, plan)]
     beside = tuple(_certified(problem, way, time_law, plan) for time_law in baselines)
-    return Design(path, problem, source, points, order, way, plan, solution, law, beside)
+    return Design(path, problem, source, points, order, way, plan, family, solution, law, beside)
 
 
 def _certified(

@@ -81,6 +81,6 @@ def _print(done: Design, rows: list[LawRow], folder: Path) -> None:
     for finding in done.optimised.certificate.findings():
         say(f"finding: {finding}")
     for status in sorted({s.status.value for s in done.solution.solutions}):
-        say(f"runs: {status}")
+        say(f"{done.family.label}: {status}")
     verdict = "certified: all limits hold for all t" if rows[0].holds else "NOT certified"
     say(f"{verdict}; report: {folder / 'report.html'}")

@@ -31,14 +31,13 @@ def solve_from(program: Program, start: Sequence[Timing]) -> Solution | None:
     """Solve a program from given timings; None where the solver fails before it has any solution."""
     units = np.array([timing.duration for timing in start])
     points: Points = [
-        [run.basis.points(row.orders) for row in demand.rows]
-        for run in program.runs
-        for demand in run.demands
+        [basis.points(row.orders) for row in demand.rows]
+        for demand, basis in zip(program.demands, program.bases, strict=True)
     ]
     room = 1.0 if program.elastic else 1.0 - MARGIN
     scale = effort_of(program.objective if program.objective in EFFORTS else "jerk", program, start)
     best: Solution | None = None
-    timings, iterations = tuple(start), 0
+    timings, iterations = _in_basis(program, start, units), 0
     for rounds in range(1, ROUNDS + 1):
         transcription = transcribe(program, points, units, scale, room)
         outcome = solve(transcription.symbols, _start(program, timings, units), transcription.bounds)
@@ -53,6 +52,22 @@ def solve_from(program: Program, start: Sequence[Timing]) -> Solution | None:
         if gap <= GAP or not add_extrema(points, program, found, _used(program, outcome)):
             break
     return best
+
+
+def _in_basis(program: Program, start: Sequence[Timing], units: NDArray[np.float64]) -> tuple[Timing, ...]:
+    """The start as the bases can write it: a spline only comes near another curve."""
+    no_points: Points = [[np.array([0.5])] * len(demand.rows) for demand in program.demands]
+    blank = transcribe(program, no_points, units, 1.0, 1.0)
+    timings = blank.timings(pack(program, start, units, 0.0))
+    return _fitted(program, timings) if program.elastic else timings
+
+
+def _fitted(program: Program, timings: Sequence[Timing]) -> tuple[Timing, ...]:
+    """Each run stretched to its limits."""
+    fitted: list[Timing] = []
+    for run in program.runs:
+        fitted += fit_to_limits(run.demands, timings[len(fitted) : len(fitted) + len(run.demands)])
+    return tuple(fitted)
 
 
 def effort_of(name: str, program: Program, timings: Sequence[Timing]) -> float:
@@ -90,11 +105,8 @@ def _closed(
 ) -> tuple[tuple[Timing, ...], float]:
     """Timings after the exact stretch, where there is one, and the gap that is left."""
     if program.elastic:
-        timings: list[Timing] = []
-        for run in program.runs:
-            own = found[len(timings) : len(timings) + len(run.demands)]
-            timings += fit_to_limits(run.demands, own)
-        return tuple(timings), total(timings) / total(found) - 1
+        timings = _fitted(program, found)
+        return timings, total(timings) / total(found) - 1
     excess = fraction(program.demands, found) / _used(program, outcome) - 1
     return found, excess if program.objective == "peak" else excess + GAP  # within the margin, no gap
 

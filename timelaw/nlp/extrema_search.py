@@ -28,8 +28,8 @@ def add_extrema(points: list[list[Array]], program: Program, timings: Sequence[T
     limit its extrema are as flat, and would be approached only by halves.
     """
     added = False
-    bases = [run.basis for run in program.runs for _ in run.demands]
-    for k, (demand, timing, basis) in enumerate(zip(program.demands, timings, bases, strict=True)):
+    legs = zip(program.demands, timings, program.bases, strict=True)
+    for k, (demand, timing, basis) in enumerate(legs):
         for i, row in enumerate(demand.rows):
             known = points[k][i]
             for top in _extrema(row, used**row.root, demand, timing, basis.grid()):

@@ -1,9 +1,10 @@
 """Solve every distinct run of a route once, falling back where the solver fails."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 
-from timelaw.easing import PolynomialBasis, Timing, fraction, smoothstep
+from timelaw.easing import DoubleSFamily, Family, Timing, fraction, smoothstep
+from timelaw.easing.physical_limit import physical_limit
 from timelaw.errors import Fault, InfeasibleError
 from timelaw.nlp.couple import couple, deadlines
 from timelaw.nlp.program import Program, RunProblem, Solution, Status, total
@@ -28,10 +29,10 @@ class Optimised:
     of_run: tuple[int, ...]
 
 
-def run_problems(route: Route, schedule: Schedule, basis: PolynomialBasis) -> list[RunProblem]:
+def run_problems(route: Route, schedule: Schedule, family: Family) -> list[RunProblem]:
     """The runs of a route with what is demanded on them."""
     runs = schedule.runs(route)
-    problems = [RunProblem(tuple(schedule.demands[k] for k in run.legs), basis) for run in runs]
+    problems = [RunProblem(tuple(schedule.demands[k] for k in run.legs), family) for run in runs]
     problems[0] = replace(problems[0], start=schedule.start)
     problems[-1] = replace(problems[-1], end=schedule.end)
     return problems
@@ -52,7 +53,7 @@ def least_time(problems: Sequence[RunProblem], progress: Progress | None = None)
 
 
 def solve_run(problem: RunProblem) -> Solution:
-    """The best of: the program from the smoothstep over the run, from stops at each node, closed form.
+    """The best of: the program from the closed form over the run, from stops at each node, closed form.
 
     A solver's word is not taken: its law counts only if, stretched to hold the limits, it is at
     least as fast as the closed-form law, which the basis contains.
@@ -62,13 +63,16 @@ def solve_run(problem: RunProblem) -> Solution:
     """
     from timelaw.nlp.exchange import solve_from  # loads CasADi, which `timelaw verify` has no need of
 
-    r = problem.basis.continuity
     program = Program((problem,))
-    whole = smoothstep.run_timings(problem.demands, r)
+    whole = problem.family.closed_form(problem.demands)
+    if isinstance(problem.family, DoubleSFamily):
+        return Solution(whole, Status.CHOSEN)
     fallback = Solution(whole, Status.CLOSED_FORM)
-    if problem.elastic and not problem.basis.free and len(problem.demands) == 1:
+    if problem.elastic and fallback.duration <= physical_limit(problem.demands) * (1 + SAME_TIME):
+        return replace(fallback, status=Status.PHYSICAL_LIMIT)
+    if problem.elastic and not problem.bases[0].free and len(problem.demands) == 1:
         return replace(fallback, status=Status.OPTIMAL)
-    first = solve_from(program, whole)
+    first = solve_from(program, problem.family.start(problem.demands))
     if first is not None and first.status is Status.OPTIMAL and _plausible(program, first, fallback):
         return first
     second = solve_from(program, _second_start(problem))
@@ -103,24 +107,53 @@ def _plausible(program: Program, solution: Solution, fallback: Solution) -> bool
 
 def _second_start(problem: RunProblem) -> list[Timing]:
     """Smoothsteps that stop at each node, in twice their least time: deep inside the limits."""
-    stops = [smoothstep.leg_timing(demand, problem.basis.continuity) for demand in problem.demands]
+    stops = [smoothstep.leg_timing(demand, problem.family.continuity) for demand in problem.demands]
     return [timing.stretched(2.0) for timing in stops]
 
 
 def optimise(
-    route: Route, schedule: Schedule, basis: PolynomialBasis, goal: Goal, progress: Progress | None = None
-) -> Optimised:
-    """The law that makes the objective least on a route under a schedule.
+    route: Route,
+    schedule: Schedule,
+    families: Iterable[Family],
+    within: float,
+    goal: Goal,
+    progress: Progress | None = None,
+) -> tuple[Family, Optimised]:
+    """The law that makes the objective least on a route under a schedule, and the family it is of.
+
+    Of several families the first is taken whose least time comes `within` that part of the
+    physical limit, or else the fastest.
 
     Raises:
         InfeasibleError: the schedule cannot be met.
     """
-    runs = run_problems(route, schedule, basis)
-    least = least_time(runs, progress)
+    family, least = _least_within(route, schedule, families, within, progress)
+    runs = run_problems(route, schedule, family)
     given = deadlines(route, schedule, goal, total(least.timings) + schedule.dwell_time)
     if goal.minimise == "time" and not given:
-        return least
+        return family, least
     if progress is not None:
         progress("solving all runs together", len(least.solutions), len(least.solutions) + 1)
     solution = couple(runs, least.timings, goal, given)
-    return Optimised(solution.timings, (solution,), (0,) * len(runs))
+    return family, Optimised(solution.timings, (solution,), (0,) * len(runs))
+
+
+def _least_within(
+    route: Route,
+    schedule: Schedule,
+    families: Iterable[Family],
+    within: float,
+    progress: Progress | None,
+) -> tuple[Family, Optimised]:
+    """The first family whose least time is near enough to the physical limit, or the fastest one."""
+    limit = sum(physical_limit([schedule.demands[k] for k in run.legs]) for run in schedule.runs(route))
+    best: tuple[Family, Optimised] | None = None
+    for family in families:
+        least = least_time(run_problems(route, schedule, family), progress)
+        if best is None or total(least.timings) < total(best[1].timings):
+            best = family, least
+        if total(best[1].timings) <= limit * (1 + within):
+            break
+    if best is None:
+        raise ValueError("no family of easings was given")
+    return best

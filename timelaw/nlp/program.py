@@ -3,17 +3,21 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
+from functools import cached_property
 
-from timelaw.easing import PolynomialBasis, Timing
+from timelaw.easing import Basis, Family, Timing
 from timelaw.schedule import Demand
 
 
 @dataclass(frozen=True)
 class RunProblem:
-    """A run over legs about one axis; `start` and `end` are its rates φ', φ'', … there, empty for rest."""
+    """A run over legs about one axis, with easings of a family.
+
+    `start` and `end` are its rates φ', φ'', … there, empty for rest.
+    """
 
     demands: tuple[Demand, ...]
-    basis: PolynomialBasis
+    family: Family
     start: tuple[float, ...] = ()
     end: tuple[float, ...] = ()
 
@@ -22,6 +26,11 @@ class RunProblem:
         """Whether stretching time leaves everything true but the times."""
         fixed = any(demand.duration is not None for demand in self.demands)
         return not fixed and not any(self.start) and not any(self.end)
+
+    @cached_property
+    def bases(self) -> tuple[Basis, ...]:
+        """The basis of each leg."""
+        return self.family.bases(self.demands)
 
     def key(self) -> tuple[object, ...]:
         """Equal for runs that have equal solutions."""
@@ -55,6 +64,11 @@ class Program:
         return tuple(demand for run in self.runs for demand in run.demands)
 
     @property
+    def bases(self) -> tuple[Basis, ...]:
+        """Bases of all legs, run after run."""
+        return tuple(basis for run in self.runs for basis in run.bases)
+
+    @property
     def elastic(self) -> bool:
         """Whether the last excess over a limit may be closed by stretching time."""
         return self.objective == "time" and not self.budgets and all(run.elastic for run in self.runs)
@@ -64,6 +78,8 @@ class Status(Enum):
     """How a program was solved; the text says what to do about it."""
 
     OPTIMAL = "solved to optimality"
+    CHOSEN = "the double-S profile, as chosen"
+    PHYSICAL_LIMIT = "the double-S profile, which the easing contains and no law beats"
     SECOND_START = "solved to optimality from the second start"
     ACCEPTABLE = (
         "solved to the solver's acceptable tolerance only; the law holds its limits, but may not be least"
@@ -73,7 +89,7 @@ class Status(Enum):
         "try another easing degree or more time"
     )
     CLOSED_FORM = (
-        "the solver failed from every start: the smoothstep over the run is used; try another easing degree"
+        "the solver failed from every start: the best law in closed form is used; try another easing"
     )
 
 

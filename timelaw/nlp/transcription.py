@@ -17,7 +17,7 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from timelaw.easing import Timing
+from timelaw.easing import Basis, Timing
 from timelaw.nlp.program import Program, RunProblem
 from timelaw.objectives import EFFORTS
 from timelaw.schedule import Demand
@@ -25,6 +25,7 @@ from timelaw.schedule import Demand
 Array = NDArray[np.float64]
 
 Points = list[list[Array]]  # points[leg][row]: where that row is demanded on that leg
+SPARSE = 1e-15  # of the largest entry of a column; rows are checked on the law itself afterwards
 LEAST_DURATION = 1e-6  # in units of the start's duration of that leg, which itself holds the limits
 
 
@@ -41,18 +42,25 @@ class Transcription:
     def timings(self, x: Array) -> tuple[Timing, ...]:
         """Timings of the legs from the variables (n,) of a solution."""
         durations, *controls = (np.array(part).ravel() for part in self.unpack(x))
-        bases = [run.basis for run in self.program.runs for _ in run.demands]
         return tuple(
-            Timing(float(t), basis.easing(c)) for t, basis, c in zip(durations, bases, controls, strict=True)
+            Timing(float(t), basis.easing(c))
+            for t, basis, c in zip(durations, self.program.bases, controls, strict=True)
         )
 
 
 @dataclass
 class _Leg:
-    """Symbols of one leg: duration [s], control points."""
+    """Symbols of one leg: duration [s], derivatives at both ends, free coefficients."""
 
     duration: Any
-    control: Any
+    left: Any
+    free: Any
+    right: Any
+
+    def apply(self, basis: Basis, matrix: Array | None = None) -> Any:
+        """Control points, or a matrix times them; constants lose their zeros, most of a spline's."""
+        parts = ((basis.from_left, self.left), (basis.from_free, self.free), (basis.from_right, self.right))
+        return sum(_sparse(part if matrix is None else matrix @ part) @ symbol for part, symbol in parts)
 
 
 def transcribe(
@@ -69,8 +77,8 @@ def transcribe(
         legs += _run(run, durations[own] * ca.DM(units[own]), part, units[own])
     rows = [
         row
-        for demand, leg, run, tau in zip(demands, legs, _runs(program), points, strict=True)
-        for row in _limit_rows(demand, leg, run, tau)
+        for demand, leg, basis, tau in zip(demands, legs, program.bases, points, strict=True)
+        for row in _limit_rows(demand, leg, basis, tau)
     ]
     with_peak = program.objective == "peak"
     g = ca.vertcat(*(value for value, _ in rows))
@@ -89,18 +97,15 @@ def transcribe(
     }
     objective = _objective(program, legs, float(np.mean(units)), effort_scale, peak)
     symbols = {"x": x, "f": objective, "g": ca.vertcat(g, *times)}
-    unpack = ca.Function("unpack", [x], [seconds, *(leg.control for leg in legs)])
+    unpack = ca.Function(
+        "unpack", [x], [seconds, *(leg.apply(basis) for leg, basis in zip(legs, program.bases, strict=True))]
+    )
     return Transcription(program, symbols, bounds, unpack, int(g.numel()))
 
 
 def _sizes(run: RunProblem) -> int:
     legs = len(run.demands)
-    return run.basis.continuity * (legs - 1) + run.basis.free * legs
-
-
-def _runs(program: Program) -> list[RunProblem]:
-    """The run of each leg."""
-    return [run for run in program.runs for _ in run.demands]
+    return run.family.continuity * (legs - 1) + sum(basis.free for basis in run.bases)
 
 
 def _scale(run: RunProblem) -> float:
@@ -109,21 +114,18 @@ def _scale(run: RunProblem) -> float:
 
 def _run(run: RunProblem, durations: Any, part: Any, units: Array) -> list[_Leg]:
     """The legs of a run, joined at its straight nodes by shared rates."""
-    count, basis = len(run.demands), run.basis
+    count, r = len(run.demands), run.family.continuity
     scale, unit = _scale(run), float(np.mean(units))
-    split = basis.continuity * (count - 1)
-    speeds = ca.reshape(part[:split], basis.continuity, count - 1)
-    free = ca.reshape(part[split:], basis.free, count)
-    ends = [_end(rates, basis.continuity, unit, scale) for rates in (run.start, run.end)]
+    speeds = ca.reshape(part[: r * (count - 1)], r, count - 1)
+    free = ca.vertsplit(part[r * (count - 1) :], [0, *accumulate(basis.free for basis in run.bases)])
+    ends = [_end(rates, r, unit, scale) for rates in (run.start, run.end)]
     legs = []
     for k, demand in enumerate(run.demands):
-        powers = ca.vertcat(
-            *((durations[k] / unit) ** i * scale / demand.angle for i in range(1, basis.continuity + 1))
-        )
+        powers = ca.vertcat(*((durations[k] / unit) ** i * scale / demand.angle for i in range(1, r + 1)))
         before = speeds[:, k - 1] if k else ends[0]
         after = speeds[:, k] if k < count - 1 else ends[1]
-        control = basis.from_left @ ca.vertcat(0.0, before * powers) + basis.from_free @ free[:, k]
-        legs.append(_Leg(durations[k], control + basis.from_right @ ca.vertcat(1.0, after * powers)))
+        left, right = ca.vertcat(0.0, before * powers), ca.vertcat(1.0, after * powers)
+        legs.append(_Leg(durations[k], left, free[k], right))
     return legs
 
 
@@ -133,17 +135,23 @@ def _end(rates: Sequence[float], continuity: int, unit: float, scale: float) -> 
     return ca.DM([rate * unit**i / scale for i, rate in enumerate(given, 1)])
 
 
-def _rates(angle: float, leg: _Leg, run: RunProblem, tau: Array, orders: Sequence[int]) -> dict[int, Any]:
+def _rates(angle: float, leg: _Leg, basis: Basis, tau: Array, orders: Sequence[int]) -> dict[int, Any]:
     """Rates of the angle at the points τ."""
-    return {k: angle / leg.duration**k * (ca.DM(run.basis.values(tau, k)) @ leg.control) for k in orders}
+    return {k: angle / leg.duration**k * leg.apply(basis, basis.values(tau, k)) for k in orders}
 
 
-def _limit_rows(demand: Demand, leg: _Leg, run: RunProblem, points: Sequence[Array]) -> list[tuple[Any, int]]:
+def _sparse(matrix: Array) -> Any:
+    """A constant without its zeros and what is only rounding."""
+    rounding = SPARSE * np.max(np.abs(matrix), axis=0, initial=0.0)
+    return ca.sparsify(ca.DM(np.where(np.abs(matrix) > rounding, matrix, 0.0)))
+
+
+def _limit_rows(demand: Demand, leg: _Leg, basis: Basis, points: Sequence[Array]) -> list[tuple[Any, int]]:
     """Rows of one leg over their bounds, each with its root."""
     rows = []
     for row, tau in zip(demand.rows, points, strict=True):
-        rates = _rates(demand.angle, leg, run, tau, row.orders)
-        rows.append((row.value(rates) / row.bound, row.root))
+        rates = _rates(demand.angle, leg, basis, tau, row.orders)
+        rows.append((ca.densify(row.value(rates) / row.bound), row.root))
     return rows
 
 
@@ -167,9 +175,9 @@ def _effort(name: str, program: Program, legs: Sequence[_Leg]) -> Any:
     """∫ g dt over all legs by Gauss-Legendre, exact for the polynomials at hand."""
     effort = EFFORTS[name]
     terms = []
-    for demand, leg, run in zip(program.demands, legs, _runs(program), strict=True):
-        tau, weights = run.basis.quadrature()
-        rates = _rates(demand.angle, leg, run, tau, effort.orders)
+    for demand, leg, basis in zip(program.demands, legs, program.bases, strict=True):
+        tau, weights = basis.quadrature()
+        rates = _rates(demand.angle, leg, basis, tau, effort.orders)
         terms.append(leg.duration * ca.dot(ca.DM(weights), effort.integrand(demand, rates)))
     return ca.sum1(ca.vertcat(*terms))
 
@@ -199,9 +207,9 @@ def pack(program: Program, timings: Sequence[Timing], units: Array, peak: float)
                 / (timing.duration / unit) ** i
                 / scale
                 for timing, demand in zip(own[:-1], run.demands, strict=False)
-                for i in range(1, run.basis.continuity + 1)
+                for i in range(1, run.family.continuity + 1)
             ]
         )
-        parts += [run.basis.free_of(timing.easing) for timing in own]
+        parts += [basis.free_of(timing.easing) for basis, timing in zip(run.bases, own, strict=True)]
         first += len(own)
     return np.concatenate([*parts, [peak if program.objective == "peak" else 0.0]])

@@ -10,12 +10,20 @@ from timelaw.problem.body import Body, Limits
 from timelaw.problem.goal import Goal, read_goal
 from timelaw.problem.rules import Nodes, SegmentRule
 from timelaw.problem.units import FREQUENCY
-from timelaw.problem.values import Model, Quaternion, as_tuple, fault, quantity, tour_or_labels
+from timelaw.problem.values import Model, Quaternion, as_tuple, fault, fraction, quantity, tour_or_labels
 
 LatticeName = Literal["16-cell", "tesseract", "24-cell", "600-cell", "120-cell"]
 TourName = Literal["paper", "shortest", "given"]
 Baseline = Literal["quintic", "double-s"]
 MAX_DEGREE = 31
+MAX_INTERVALS = 500
+DEGREES = {"polynomial": (5, MAX_DEGREE), "spline": (3, 7)}
+EASING_KEYS = {
+    "polynomial": ("degree",),
+    "spline": ("degree", "intervals"),
+    "double-s": (),
+    "auto": ("within",),
+}
 NEEDS_INERTIA = ("torque", "momentum")
 NEEDS_CONTINUITY = {"jerk": 2, "snap": 3}  # where a rate jumps, the next one cannot be bounded
 
@@ -46,10 +54,24 @@ class RouteModel(Model):
 
 
 class EasingModel(Model):
-    """The function family of the easing f(τ) on a leg."""
+    """The function family of the easing f(τ) on a leg; `auto` looks for the least that comes `within`."""
 
-    basis: Literal["polynomial"] = "polynomial"
-    degree: Annotated[int, Field(ge=5, le=MAX_DEGREE)] = 9
+    basis: Literal["polynomial", "spline", "double-s", "auto"] = "polynomial"
+    degree: Annotated[int, Field(ge=3, le=MAX_DEGREE)] | None = None
+    intervals: Annotated[int, Field(ge=1, le=MAX_INTERVALS)] | None = None
+    within: Annotated[float | None, fraction()] = None
+
+    @model_validator(mode="after")
+    def _suit_the_basis(self) -> Self:
+        for key in ("degree", "intervals", "within"):
+            if getattr(self, key) is not None and key not in EASING_KEYS[self.basis]:
+                fitting = [basis for basis, keys in EASING_KEYS.items() if key in keys]
+                raise fault(f"{key} belongs to the basis {' or '.join(fitting)}, not to {self.basis}", key)
+        if self.degree is not None and self.basis in DEGREES:
+            least, most = DEGREES[self.basis]
+            if not least <= self.degree <= most:
+                raise fault(f"{self.degree}; a {self.basis} has a degree of {least} to {most}", "degree")
+        return self
 
 
 class Output(Model):
@@ -75,14 +97,14 @@ class Problem(Model):
 
     @model_validator(mode="after")
     def _degree_carries_continuity(self) -> Self:
-        least = 2 * self.nodes.continuity + 1
-        if self.easing.degree < least:
+        r, degree = self.nodes.continuity, self.easing.degree
+        least = r + 1 if self.easing.basis == "spline" else 2 * r + 1
+        if degree is not None and degree < least:
             raise fault(
-                f"{self.easing.degree}; continuity {self.nodes.continuity} at the nodes needs "
-                f"degree {least} or more",
-                "easing",
-                "degree",
+                f"{degree}; continuity {r} at the nodes needs degree {least} or more", "easing", "degree"
             )
+        if self.easing.basis == "double-s" and (r > 2 or self.objective.minimise != "time"):
+            raise fault("a double-s has continuity 2 and the least time only", "easing", "basis")
         return self
 
     @model_validator(mode="after")

@@ -75,6 +75,22 @@ def quantity(kind: Kind, least: float = LEAST) -> Reader:
     return Reader(lambda value: read_quantity(value, kind, least), kind)
 
 
+def fraction() -> Reader:
+    """For a field that holds a small part of something, written as "1 %" or as a number below 1."""
+
+    def check(value: Any) -> float:
+        text = str(value).strip()
+        try:
+            number = float(text.removesuffix("%")) / (100 if text.endswith("%") else 1)
+        except ValueError:
+            number = 0.0
+        if isinstance(value, bool) or not 1e-5 <= number < 1:
+            raise fault(f'{quoted(value)}; a part from 0.001 % to less than 100 % is needed, like "1 %"')
+        return number
+
+    return Reader(check, Kind("a part of a whole", (0, 0, 0, 0), "1 %", "1"))
+
+
 def bounds(kind: Kind) -> Reader:
     """For a field that holds a bound on a norm, or a list of three for the body axes."""
 

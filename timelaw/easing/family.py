@@ -1,0 +1,158 @@
+"""Families of easings, as the problem file names them: which basis a leg gets, and where a search starts."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from timelaw.easing import smoothstep
+from timelaw.easing.double_s_easing import fitted_run_timings
+from timelaw.easing.easing import Timing
+from timelaw.easing.polynomial import PolynomialBasis
+from timelaw.easing.spline import SplineBasis
+from timelaw.schedule import Demand
+
+Basis = PolynomialBasis | SplineBasis
+
+JERK_RESOLUTION = 3e-6  # relative rounding of the third derivative that an interval may cost
+PROFILE_DEGREE = 3  # of the double-S profile, which is C2 inside
+
+
+class Family(Protocol):
+    """A family knows the continuity at the ends of a leg, and gives bases and starts run by run."""
+
+    @property
+    def continuity(self) -> int:
+        """Number of derivatives that are continuous at the nodes."""
+        ...
+
+    @property
+    def label(self) -> str:
+        """How reports call it."""
+        ...
+
+    def bases(self, demands: Sequence[Demand]) -> tuple[Basis, ...]:
+        """One basis per leg of a run."""
+        ...
+
+    def closed_form(self, demands: Sequence[Demand]) -> tuple[Timing, ...]:
+        """The best law in closed form over a run, within its limits and as smooth as the family."""
+        ...
+
+    def start(self, demands: Sequence[Demand]) -> tuple[Timing, ...]:
+        """Where the search for the best law over a run starts."""
+        ...
+
+
+@dataclass(frozen=True)
+class PolynomialFamily:
+    """One polynomial of `degree` on every leg."""
+
+    degree: int
+    continuity: int
+
+    @property
+    def label(self) -> str:
+        """Degree."""
+        return f"polynomial of degree {self.degree}"
+
+    def bases(self, demands: Sequence[Demand]) -> tuple[Basis, ...]:
+        """The same for all legs."""
+        return (PolynomialBasis(self.degree, self.continuity),) * len(demands)
+
+    def closed_form(self, demands: Sequence[Demand]) -> tuple[Timing, ...]:
+        """The smoothstep over the run, which the basis contains."""
+        return smoothstep.run_timings(demands, self.continuity)
+
+    start = closed_form
+
+
+@dataclass(frozen=True)
+class SplineFamily:
+    """Splines of `degree` on some `intervals` per leg, placed on the phases of the double-S profile."""
+
+    degree: int
+    intervals: int
+    continuity: int
+
+    @property
+    def label(self) -> str:
+        """Degree and intervals."""
+        return f"spline of degree {self.degree} on {self.intervals} intervals"
+
+    def bases(self, demands: Sequence[Demand]) -> tuple[Basis, ...]:
+        """Breaks from the profile over the run, cut at its nodes."""
+        profile = fitted_run_timings(demands)
+        return tuple(self._basis(timing) for timing in profile)
+
+    def _basis(self, timing: Timing) -> SplineBasis:
+        first, second, third = (max(1.0, *(p.size for p in timing.easing.derivative(k))) for k in (1, 2, 3))
+        least = (50 * np.finfo(float).eps / JERK_RESOLUTION / third) ** (1 / 3)
+        breaks = divided(timing.easing.breaks.tolist(), self.intervals, least)
+        return SplineBasis(self.degree, breaks, self.continuity, (first, second, third))
+
+    def closed_form(self, demands: Sequence[Demand]) -> tuple[Timing, ...]:
+        """The double-S profile, a spline of degree 3; for smoother ones the smoothstep."""
+        slow = smoothstep.run_timings(demands, self.continuity)
+        if self.degree > PROFILE_DEGREE:
+            return slow
+        return min(slow, self.start(demands), key=lambda timings: sum(t.duration for t in timings))
+
+    def start(self, demands: Sequence[Demand]) -> tuple[Timing, ...]:
+        """The double-S profile, which smoother splines come near to."""
+        return fitted_run_timings(demands)
+
+
+@dataclass(frozen=True)
+class DoubleSFamily:
+    """The double-S profile itself: nothing is left to choose."""
+
+    continuity: int
+
+    @property
+    def label(self) -> str:
+        """Its name."""
+        return "double-S profile"
+
+    def bases(self, demands: Sequence[Demand]) -> tuple[Basis, ...]:
+        """Splines of degree 3 on its phases, for what asks for a basis."""
+        return SplineFamily(PROFILE_DEGREE, 1, min(self.continuity, 2)).bases(demands)
+
+    def closed_form(self, demands: Sequence[Demand]) -> tuple[Timing, ...]:
+        """The profile over the run."""
+        return fitted_run_timings(demands)
+
+    start = closed_form
+
+
+def divided(breaks: Sequence[float], intervals: int, least: float) -> tuple[float, ...]:
+    """Divide the intervals between breaks until there are about `intervals`, none shorter than `least`.
+
+    All are divided alike, so that a short ramp gets as many as a long cruise, but for those that
+    are too short for it; what these leave goes to the others. Divisions crowd at the breaks, where
+    the jerk has to turn from one limit to another.
+    """
+    widths = np.diff(breaks)
+    most = np.maximum(np.floor(widths / least), 1).astype(int)
+    parts = np.ones(len(widths), dtype=int)
+    while parts.sum() < intervals and np.any(parts < most):
+        free = np.flatnonzero(parts < most)
+        parts[free[np.lexsort((-widths[free] / parts[free], parts[free]))[0]]] += 1
+    pieces = [
+        a + (b - a) * _crowded(n, least / (b - a))[:-1]
+        for (a, b), n in zip(pairwise(breaks), parts, strict=True)
+    ]
+    return (*np.concatenate(pieces).tolist(), 1.0)
+
+
+def _crowded(count: int, least: float) -> NDArray[np.float64]:
+    """Points (count+1,) from 0 to 1, crowding at the ends as Chebyshev's do, as far as `least` allows."""
+    even = np.arange(count + 1) / count
+    crowded = (1 - np.cos(np.pi * even)) / 2
+    first = crowded[1]
+    room = even[1] - first
+    share = 1.0 if first >= least or not room else max((even[1] - least) / room, 0.0)
+    return np.array(share * crowded + (1 - share) * even)
