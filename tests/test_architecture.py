@@ -28,6 +28,7 @@ SENTENCE = [
     "pipeline",
     "report",
     "export",
+    "study",
     "cli",
 ]
 HOMES = {

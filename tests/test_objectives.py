@@ -11,10 +11,10 @@ from timelaw.easing.smoothstep import smoothstep
 from timelaw.errors import InfeasibleError
 from timelaw.nlp import Budget, RunProblem, Status
 from timelaw.nlp.couple import Deadline, couple
-from timelaw.nlp.exchange import effort_of
 from timelaw.nlp.optimise import least_time
 from timelaw.nlp.program import Program, total
 from timelaw.numerics.bernstein import elevate
+from timelaw.objectives import effort_of
 from timelaw.problem.goal import Goal, TotalTime
 
 ROBOT = {"velocity": 1.0, "acceleration": 2.0, "jerk": 10.0}
@@ -53,7 +53,7 @@ def test_least_effort_in_a_given_time_is_the_smoothstep(minimise):
     np.testing.assert_allclose(
         solution.timings[0].easing.pieces[0], elevate(smoothstep(order), 9), rtol=0, atol=1e-8
     )
-    assert effort_of(minimise, program, solution.timings) == pytest.approx(
+    assert effort_of(minimise, program.demands, solution.timings) == pytest.approx(
         cost(2.0, solution.duration), rel=1e-9
     )
 
@@ -74,9 +74,9 @@ def test_limits_hold_and_effort_falls_with_time(minimise):
         program, least, solution = solve([2.0, 1.0], minimise, factor, 9, 3)
         assert fraction(program.demands, solution.timings) <= 1
         assert solution.duration == pytest.approx(factor * total(least), rel=1e-12)
-        efforts.append(effort_of(minimise, program, solution.timings))
+        efforts.append(effort_of(minimise, program.demands, solution.timings))
         stretched = [t.stretched(factor) for t in least]
-        assert efforts[-1] <= effort_of(minimise, program, stretched)
+        assert efforts[-1] <= effort_of(minimise, program.demands, stretched)
     assert efforts[0] > efforts[1] > efforts[2]
 
 
@@ -89,7 +89,7 @@ def test_the_effort_of_torque_is_the_integral_of_eulers_equation():
     torque = np.outer(second, INERTIA @ axis) + np.outer(first**2, np.cross(axis, INERTIA @ axis))
     expected = np.mean(np.sum(torque**2, axis=1)) * timing.duration
     assert leg.torque is not None
-    assert effort_of("torque", program, solution.timings) == pytest.approx(expected, rel=1e-5)
+    assert effort_of("torque", program.demands, solution.timings) == pytest.approx(expected, rel=1e-5)
 
 
 def test_peak_at_the_least_time_is_one():
@@ -120,12 +120,14 @@ def test_weights_trade_time_against_effort():
     for weight in (1e-3, 0.1, 10.0):
         program, least, solution = solve([2.0, 1.0], "jerk", weight=weight)
         assert fraction(program.demands, solution.timings) <= 1
-        results.append((solution.duration / total(least), effort_of("jerk", program, solution.timings)))
+        results.append(
+            (solution.duration / total(least), effort_of("jerk", program.demands, solution.timings))
+        )
     times, efforts = zip(*results, strict=True)
     assert 1 <= times[0] < times[1] < times[2]
     assert efforts[0] > efforts[1] > efforts[2]
     # where no limit binds, E is the quintics' and falls as T^-5, so T + c E is least where T = 5 c E
-    least_effort = effort_of("jerk", program, least)
+    least_effort = effort_of("jerk", program.demands, least)
     quintic = sum(
         720 * d.angle**2 / t.duration**5 for d, t in zip(program.demands, solution.timings, strict=True)
     )

@@ -11,6 +11,7 @@ from tests.oracles import QUINTIC_PEAKS, LinearProgram, smoothstep_duration
 from timelaw.certificate import certify
 from timelaw.certificate.certificate import compare_with_record
 from timelaw.motion.law_file import read_law
+from timelaw.report import law_rows
 from timelaw.report.reference import replaced, table
 
 DEG = np.pi / 180
@@ -63,8 +64,37 @@ def test_the_first_steps_file_goes_straight_once():
     assert [node.kind for node in design.route.nodes] == ["start", "straight", "corner", "corner", "end"]
 
 
+def test_the_slew_is_bound_by_torque_and_momentum():
+    design = reference("reaction-wheel-slew")
+    ratios = {check.limit: check.ratio for check in design.optimised.certificate.limits}
+    assert design.optimised.certificate.holds
+    assert {name for name, ratio in ratios.items() if ratio > 0.999} >= {"torque x", "torque y", "momentum x"}
+    # about y: J 10 kg m², so 0.01 rad/s² and 0.05 rad/s under 0.2 deg/s³ for 45 degrees, and 5 s at 6 nodes
+    ramp = 0.01 / (0.2 * DEG) + 0.05 / 0.01
+    leg = 45 * DEG / 0.05 + ramp
+    assert design.optimised.law.segments[1].duration == pytest.approx(leg, rel=1e-6)
+
+
+def test_the_wrist_is_calm_and_slow_past_the_cable():
+    design = reference("wrist-calibration")
+    assert design.optimised.certificate.holds
+    assert design.optimised.certificate.continuity.order == 3
+    rows = {row.name: row for row in law_rows(design)}
+    assert rows["optimised"].to_limit < 1.012
+
+
+def test_the_scan_keeps_its_times():
+    design = reference("camera-scan")
+    assert design.optimised.certificate.holds
+    ends = {s.target: s.end_time for s in design.optimised.law.segments}
+    assert ends["2"] == pytest.approx(3, rel=1e-12)
+    assert ends["3"] == pytest.approx(5, rel=1e-12)
+    assert design.optimised.law.duration == pytest.approx(16, rel=1e-12)
+
+
 def test_every_problem_file_is_a_case():
-    assert {path.stem for path in PROBLEMS.glob("*.yaml")} == {*CASES, "first-steps"}
+    others = {"first-steps", "reaction-wheel-slew", "wrist-calibration", "camera-scan"}
+    assert {path.stem for path in PROBLEMS.glob("*.yaml")} == {*CASES, *others}
 
 
 @pytest.mark.parametrize("path", sorted(RESULTS.glob("*/law.json")), ids=lambda p: p.parent.name)

@@ -58,6 +58,11 @@ def design(path: str | Path, progress: Progress | None = None) -> Design:
         InfeasibleError: no law was found.
     """
     problem, source = load(path := Path(path))
+    return design_problem(path, problem, source, progress)
+
+
+def design_problem(path: Path, problem: Problem, source: Source, progress: Progress | None = None) -> Design:
+    """Design the law of a problem that is already read; tables are looked for beside `path`."""
     with source.placed():
         points = orientations(problem.route.orientations, path.parent)
         order = tour(problem.route, points)

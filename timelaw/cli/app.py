@@ -36,6 +36,20 @@ def design(problem: str, output: str | None, as_json: bool) -> int:
 
 
 @timelaw.command()
+@click.argument("study", type=click.Path())
+@click.option("-o", "--output", type=click.Path(), help="Folder for the results  [default: results/<name>]")
+@click.option(
+    "--processes", type=click.IntRange(1), help="Designs made at a time  [default: one per processor]"
+)
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON object on stdout.")
+def sweep(study: str, output: str | None, processes: int | None, as_json: bool) -> int:
+    """Design a problem over the varied keys of a STUDY file: sweep.csv and front.svg."""
+    from timelaw.cli.sweep import run
+
+    return run(study, output, processes, as_json=as_json)
+
+
+@timelaw.command()
 @click.argument("law", type=click.Path())
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object on stdout.")
 def verify(law: str, as_json: bool) -> int:

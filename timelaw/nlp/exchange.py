@@ -8,7 +8,6 @@ allowed; where times are given, the program keeps a small margin from the limits
 
 from collections.abc import Sequence
 from dataclasses import replace
-from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,8 +17,7 @@ from timelaw.nlp.extrema_search import add_extrema
 from timelaw.nlp.ipopt import Outcome, solve
 from timelaw.nlp.program import Program, Solution, Status, total
 from timelaw.nlp.transcription import Points, pack, transcribe
-from timelaw.objectives import EFFORTS
-from timelaw.schedule import Demand
+from timelaw.objectives import EFFORTS, effort_of
 
 GAP = 1e-6  # relative: what the limits between the points may still cost, in time or in their used part
 MARGIN = 2e-6  # of every limit, where time cannot be stretched; GAP and rounding fit into it
@@ -35,7 +33,7 @@ def solve_from(program: Program, start: Sequence[Timing]) -> Solution | None:
         for demand, basis in zip(program.demands, program.bases, strict=True)
     ]
     room = 1.0 if program.elastic else 1.0 - MARGIN
-    scale = effort_of(program.objective if program.objective in EFFORTS else "jerk", program, start)
+    scale = effort_of(program.objective if program.objective in EFFORTS else "jerk", program.demands, start)
     best: Solution | None = None
     timings, iterations = _in_basis(program, start, units), 0
     for rounds in range(1, ROUNDS + 1):
@@ -68,24 +66,6 @@ def _fitted(program: Program, timings: Sequence[Timing]) -> tuple[Timing, ...]:
     for run in program.runs:
         fitted += fit_to_limits(run.demands, timings[len(fitted) : len(fitted) + len(run.demands)])
     return tuple(fitted)
-
-
-def effort_of(name: str, program: Program, timings: Sequence[Timing]) -> float:
-    """∫ g dt of an effort along given timings, exact."""
-    effort, result = EFFORTS[name], 0.0
-    nodes, weights = np.polynomial.legendre.leggauss(64)
-    for demand, timing in zip(program.demands, timings, strict=True):
-        breaks = timing.easing.breaks
-        for left, right in pairwise(breaks):
-            tau = left + (right - left) * (nodes + 1) / 2
-            rates = {k: _rate(demand, timing, tau, k) for k in effort.orders}
-            g = effort.integrand(demand, rates)
-            result += float(np.sum(weights / 2 * g)) * timing.duration * float(right - left)
-    return result
-
-
-def _rate(demand: Demand, timing: Timing, tau: NDArray[np.float64], order: int) -> NDArray[np.float64]:
-    return demand.angle / timing.duration**order * timing.easing(tau, order)
 
 
 def _start(program: Program, timings: Sequence[Timing], units: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -23,7 +23,7 @@ def load(path: Path) -> tuple[Problem, Source]:
         InputError: with one fault per line, each with file:line:column.
     """
     source = read(read_text(path), str(path))
-    return _check(source), source
+    return check(source), source
 
 
 def read_text(path: Path, most: int = MAX_BYTES) -> str:
@@ -44,10 +44,15 @@ def read_text(path: Path, most: int = MAX_BYTES) -> str:
 
 def parse(text: str, path: str = "<problem>") -> Problem:
     """Check the text of a problem file; `path` is named in the messages."""
-    return _check(read(text, path))
+    return check(read(text, path))
 
 
-def _check(source: Source) -> Problem:
+def check(source: Source) -> Problem:
+    """The problem that a source holds.
+
+    Raises:
+        InputError: with one fault per line, each with its place.
+    """
     version = source.data.get("timelaw")
     if "timelaw" in source.data and (version != VERSION or isinstance(version, bool)):
         message = f"{quoted(version)}; this program reads problem files of version {VERSION}"
@@ -55,15 +60,21 @@ def _check(source: Source) -> Problem:
     try:
         return Problem.model_validate(source.data)
     except ValidationError as error:
-        faults = [_fault(source, details) for details in error.errors()]
-        raise InputError(*sorted(faults, key=lambda f: (f.line or 0, f.column or 0))) from None
+        raise InputError(*translate(source, error, Problem)) from None
 
 
-def _fault(source: Source, details: ErrorDetails) -> Fault:
+def translate(source: Source, error: ValidationError, model: type[BaseModel]) -> list[Fault]:
+    """What a model says is wrong, with places in the source and in our words, in the order of the file."""
+    faults = [_fault(source, details, model) for details in error.errors()]
+    return sorted(faults, key=lambda f: (f.line or 0, f.column or 0))
+
+
+def _fault(source: Source, details: ErrorDetails, model: type[BaseModel]) -> Fault:
     where = _in_data(source.data, details["loc"])
     kind, given, context = details["type"], details["input"], details.get("ctx", {})
     if kind == "extra_forbidden":
-        allowed = nearest(where[-1], _model_at(where[:-1]).model_fields)
+        fields = _model_at(model, where[:-1]).model_fields
+        allowed = nearest(where[-1], [field.alias or name for name, field in fields.items()])
         return source.fault(where[:-1], f'unknown key "{where[-1]}"; allowed: {allowed}').at(
             source.keys.get(where)
         )
@@ -107,9 +118,8 @@ def _in_data(data: Any, location: Where) -> Where:
     return tuple(path)
 
 
-def _model_at(path: Where) -> type[BaseModel]:
+def _model_at(model: type[BaseModel], path: Where) -> type[BaseModel]:
     """The model that describes the mapping at `path`."""
-    model: type[BaseModel] = Problem
     for part in path:
         field = model.model_fields.get(str(part))
         found = _models_in(field.annotation) if field else [model]

@@ -1,8 +1,9 @@
 """YAML 1.2 text → plain data, with the line and column of every key and value."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass
+from copy import deepcopy
+from dataclasses import dataclass, replace
 from typing import Any
 
 from ruamel.yaml import YAML
@@ -37,6 +38,19 @@ class Source:
             parent = parent[:-1]
         line, column = place or (1, 1)
         return Fault(message, dotted(where), self.path, line, column)
+
+    def with_values(self, values: Mapping[str, Any]) -> "Source":
+        """The same document with other values at dotted keys, which may be new."""
+        data = deepcopy(self.data)
+        for key, value in values.items():
+            *parents, last = key.split(".")
+            place = data
+            for parent in parents:
+                if not isinstance(place.get(parent), dict):
+                    place[parent] = {}
+                place = place[parent]
+            place[last] = value
+        return replace(self, data=data)
 
     @contextmanager
     def placed(self) -> Iterator[None]:

@@ -9,12 +9,14 @@ import numpy as np
 from timelaw.easing import Easing
 from timelaw.easing.double_s_easing import rate_bounds
 from timelaw.easing.smoothstep import smoothstep
-from timelaw.motion import Arc, QuaternionLaw
+from timelaw.motion import Arc, Dwell, QuaternionLaw
 from timelaw.pipeline import Design
+from timelaw.report.binding import part_curves
 from timelaw.report.curves import rate_curve
 from timelaw.time_law.baselines import PAPER_CONTINUITY
 
-OPTIMISED, QUINTIC, LIMIT, NODE = "#0b5fa5", "#9b9b9b", "#b3261e", "#c9c9c9"
+OPTIMISED, QUINTIC, LIMIT, NODE, DWELL = "#0b5fa5", "#9b9b9b", "#b3261e", "#c9c9c9", "#eef0f2"
+AXIS_COLOURS = ("#0b5fa5", "#b07400", "#1b6e3c")
 MAX_LEGS = 24  # more legs than this would be a solid band; the first of them are drawn
 MAX_LABELS = 30
 RATE_NAMES = {1: "|ω|", 2: "|α|", 3: "|jerk|"}
@@ -43,11 +45,12 @@ def _rates(design: Design) -> str:
     """|ω|, |α|, |jerk| over time, the optimised law over the grey quintic, with limits and nodes."""
     from matplotlib.figure import Figure
 
-    figure = Figure(figsize=(9.4, 6.4), layout="constrained")
-    axes: Any = figure.subplots(3, 1, sharex=True)
     law = design.optimised.law
+    extra = [limit for limit in ("torque", "momentum") if limit in law.limits]
+    figure = Figure(figsize=(9.4, 6.4 + 1.8 * len(extra)), layout="constrained")
+    axes: Any = figure.subplots(3 + len(extra), 1, sharex=True)
     grey = next((b.law for b in design.baselines if b.name == "quintic"), None)
-    for order, ax in zip((1, 2, 3), axes, strict=True):
+    for order, ax in zip((1, 2, 3), axes, strict=False):
         ax.set_ylabel(f"{RATE_NAMES[order]}  [{UNITS[order]}]")
         if grey is not None:
             _curve(ax, grey, order, QUINTIC, 1.1, f"quintic, {grey.duration:.6g} s")
@@ -56,12 +59,27 @@ def _rates(design: Design) -> str:
         _nodes(ax, design)
         ax.set_ylim(bottom=0)
         ax.margins(x=0.005)
+    for limit, ax in zip(extra, axes[3:], strict=True):
+        _parts(ax, law, limit)
+        _nodes(ax, design)
     end = max(curve.segments[:MAX_LEGS][-1].end_time for curve in (law, grey or law))
     axes[0].set_xlim(-0.005 * end, 1.005 * end)
-    axes[2].set_xlabel("time [s]" + _excerpt(law))
+    axes[-1].set_xlabel("time [s]" + _excerpt(law))
     axes[0].legend(loc="lower left", bbox_to_anchor=(0, 1.12), ncols=3, borderaxespad=0)
     _labels(axes[0], design)
-    return _svg(figure, "rates")
+    return svg(figure, "rates")
+
+
+def _parts(ax: Any, law: QuaternionLaw, limit: str) -> None:
+    """The part of a limit that is used over time, axis by axis where it is given so."""
+    ax.set_ylabel(f"{limit} / limit")
+    curves = part_curves(law, law.segments[:MAX_LEGS], limit)
+    for colour, (label, (times, values)) in zip(AXIS_COLOURS, curves.items(), strict=False):
+        ax.plot(times, values, color=colour if len(curves) > 1 else OPTIMISED, linewidth=1.3, label=label)
+    ax.axhline(1.0, color=LIMIT, linewidth=1, linestyle=(0, (5, 3)))
+    ax.set_ylim(0, 1.35)
+    if len(curves) > 1:
+        ax.legend(loc="upper right", ncols=3, fontsize=7.5, borderaxespad=0.1)
 
 
 def _excerpt(law: QuaternionLaw) -> str:
@@ -91,14 +109,22 @@ def _limit(ax: Any, design: Design, order: int) -> None:
 
 
 def _nodes(ax: Any, design: Design) -> None:
+    """Lines at the nodes, dotted where the body goes straight on; dwells are shaded."""
+    for segment in design.optimised.law.segments[:MAX_LEGS]:
+        if isinstance(segment, Dwell):
+            ax.axvspan(segment.start_time, segment.end_time, color=DWELL, linewidth=0, zorder=-1)
     for node in design.optimised.certificate.continuity.nodes[: MAX_LEGS + 1]:
         dotted = node.kind == "straight"
         ax.axvline(node.time, color=NODE, linewidth=0.7, linestyle=":" if dotted else "-", zorder=0)
 
 
 def _labels(ax: Any, design: Design) -> None:
-    """Node labels above the first panel; a dot marks the nodes passed at speed."""
+    """Node labels above the first panel, a dwell's once; a dot marks the nodes passed at speed."""
+    last = None
     for node in design.optimised.certificate.continuity.nodes[: MAX_LEGS + 1][:MAX_LABELS]:
+        if node.label == last:
+            continue
+        last = node.label
         text = f"·{node.label}·" if node.kind == "straight" else node.label
         ax.annotate(
             text,
@@ -131,7 +157,7 @@ def _easings(design: Design) -> str:
         ax.set_title(title, fontsize=9)
         ax.set_xlabel("τ")
     _durations(axes[2], design)
-    return _svg(figure, "easings")
+    return svg(figure, "easings")
 
 
 def _durations(ax: Any, design: Design) -> None:
@@ -147,7 +173,7 @@ def _durations(ax: Any, design: Design) -> None:
     ax.set_title("duration of each leg [s]" + _excerpt(design.optimised.law), fontsize=9)
 
 
-def _svg(figure: Any, salt: str) -> str:
+def svg(figure: Any, salt: str) -> str:
     """The figure as SVG, the same text for the same figure."""
     import matplotlib as mpl
     from matplotlib.backends.backend_svg import FigureCanvasSVG

@@ -17,6 +17,7 @@ from timelaw.motion import Arc
 from timelaw.nlp.exchange import GAP
 from timelaw.pipeline import Design
 from timelaw.problem.goal import Goal
+from timelaw.report.binding import binding
 from timelaw.report.figures import figures
 from timelaw.report.summary import law_rows, run_rows
 from timelaw.time_law import physical_limit
@@ -54,12 +55,18 @@ def _context(design: Design, digest: str, pictures: dict[str, str]) -> dict[str,
         "tour": design.tour,
         "route": design.route,
         "rows": rows,
+        "binding": {
+            s.name: binding(design.optimised.law, s)
+            for s in design.optimised.law.segments
+            if isinstance(s, Arc)
+        },
         "arcs": [s for s in design.optimised.law.segments if isinstance(s, Arc)],
         "best": rows[0],
         "objective": _objective(design.problem.objective),
         "least": physical_limit(design.route, design.schedule),
         "limits": [check.limit for check in design.optimised.certificate.limits],
         "runs": run_rows(design),
+        "runs_count": len(design.schedule.runs(design.route)),
         "kinds": [_kinds(entry.certificate.continuity.nodes) for entry in design.laws],
         "rates": RATES,
         "scales": {

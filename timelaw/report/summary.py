@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from timelaw.easing.physical_limit import physical_limit as run_limit
+from timelaw.objectives import EFFORTS, effort_of
 from timelaw.pipeline import Certified, Design
 from timelaw.time_law import physical_limit, quintic
 from timelaw.time_law.baselines import chains
@@ -85,3 +86,9 @@ def run_rows(design: Design) -> list[RunRow]:
             )
         )
     return rows
+
+
+def efforts(design: Design) -> dict[str, float]:
+    """∫ of each effort over the optimised law, those that need the inertia only where it is known."""
+    known = [name for name in EFFORTS if name != "torque" or design.schedule.inertia is not None]
+    return {name: effort_of(name, design.schedule.demands, design.solution.timings) for name in known}

@@ -1,0 +1,73 @@
+"""`timelaw sweep`: a problem designed over varied keys; a table, a CSV file and the picture of the front."""
+
+from collections import defaultdict
+from pathlib import Path
+
+from timelaw.cli.console import print_json, print_table, progress, say
+from timelaw.errors import EXIT_DONE, EXIT_FINDINGS, EXIT_INFEASIBLE
+from timelaw.export.atomic import write_text
+from timelaw.report.front import front
+from timelaw.study import Outcome, Study, read_study, run_study
+from timelaw.study.table import cells, headings, study_csv
+
+RESULTS = Path("results")
+HIDDEN = ("continuity", "easing", "status")  # in the CSV file; too wide for a screen
+
+
+def run(path: str, output: str | None, processes: int | None, *, as_json: bool) -> int:
+    """Run a study and write its results; returns the exit code."""
+    study = read_study(Path(path))
+    with progress() as report:
+        outcomes = run_study(study, processes, report)
+    folder = Path(output) if output is not None else RESULTS / study.name
+    files = {"sweep.csv": study_csv(outcomes)}
+    groups = _groups(study, outcomes)
+    if groups:
+        files["front.svg"] = front(study.name, study.effort, groups)
+    for name, text in files.items():
+        write_text(folder / name, text)
+    code = _code(outcomes)
+    _print(outcomes, folder)
+    if as_json:
+        rows = [dict(outcome.__dict__) for outcome in outcomes]
+        written = [str(folder / name) for name in files]
+        print_json(
+            {
+                "ok": code == EXIT_DONE,
+                "exit_code": code,
+                "name": study.name,
+                "files": written,
+                "designs": rows,
+            }
+        )
+    return code
+
+
+def _code(outcomes: list[Outcome]) -> int:
+    """Done if all that could be designed is certified; infeasible if nothing could be."""
+    designed = [outcome for outcome in outcomes if outcome.duration is not None]
+    if not designed:
+        return EXIT_INFEASIBLE
+    return EXIT_DONE if all(outcome.holds for outcome in designed) else EXIT_FINDINGS
+
+
+def _groups(study: Study, outcomes: list[Outcome]) -> dict[str, list[tuple[float, float]]]:
+    """Points of the picture, one line for each setting of all keys but the last."""
+    last = list(study.vary)[-1]
+    groups: dict[str, list[tuple[float, float]]] = defaultdict(list)
+    for outcome in outcomes:
+        if outcome.duration is not None and study.effort in outcome.efforts:
+            label = ", ".join(f"{k} = {v}" for k, v in outcome.point.items() if k != last)
+            groups[label].append((outcome.duration, outcome.efforts[study.effort]))
+    return dict(groups)
+
+
+def _print(outcomes: list[Outcome], folder: Path) -> None:
+    columns = [name for name in headings(outcomes) if name not in HIDDEN]
+    rows = [[f"{c:.5g}" if isinstance(c, float) else str(c) for c in cells(o, columns)] for o in outcomes]
+    print_table(columns, rows)
+    for outcome in outcomes:
+        if outcome.duration is None or not outcome.holds:
+            where = ", ".join(f"{key} = {value}" for key, value in outcome.point.items())
+            say(f"{where}: {outcome.status}")
+    say(f"{len(outcomes)} designs; table: {folder / 'sweep.csv'}")

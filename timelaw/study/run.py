@@ -1,0 +1,88 @@
+"""Run a study: every point a design of its own, on the processes of this machine."""
+
+import os
+from collections.abc import Callable
+from concurrent.futures import ProcessPoolExecutor, as_completed
+from dataclasses import dataclass, field
+from multiprocessing import get_context
+from typing import Any
+
+from timelaw.errors import InputError, TimelawError
+from timelaw.pipeline import Design, design_problem
+from timelaw.problem.load import check
+from timelaw.report.summary import efforts, law_rows
+from timelaw.study.study import Study
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What came of one point: its numbers, or why there are none."""
+
+    point: dict[str, Any]
+    holds: bool = False
+    duration: float | None = None
+    to_limit: float | None = None
+    continuity: int | None = None
+    efforts: dict[str, float] = field(default_factory=dict)
+    peaks: dict[str, float] = field(default_factory=dict)
+    easing: str = ""
+    status: str = ""
+
+
+def run_study(
+    study: Study, processes: int | None = None, progress: Callable[[str, int, int], None] | None = None
+) -> list[Outcome]:
+    """Design every point, in as many processes as there are processors unless told otherwise.
+
+    A point that cannot be met is an outcome that says so; a point that makes no sense as a
+    problem file ends the study.
+
+    Raises:
+        InputError: a varied key or value is not one a problem file may have.
+    """
+    points = list(study.points())
+    for point in points:
+        check(study.base.with_values(point))
+    workers = min(processes or os.cpu_count() or 1, len(points))
+    if workers == 1:
+        outcomes = []
+        for done, point in enumerate(points):
+            if progress is not None:
+                progress("designing", done, len(points))
+            outcomes.append(run_point(study, point))
+        return outcomes
+    with ProcessPoolExecutor(workers, mp_context=get_context("spawn")) as pool:
+        futures = {pool.submit(run_point, study, point): index for index, point in enumerate(points)}
+        found: dict[int, Outcome] = {}
+        for future in as_completed(futures):
+            found[futures[future]] = future.result()
+            if progress is not None:
+                progress("designing", len(found), len(points))
+    return [found[index] for index in range(len(points))]
+
+
+def run_point(study: Study, point: dict[str, Any]) -> Outcome:
+    """Design one point."""
+    source = study.base.with_values(point)
+    try:
+        return _outcome(point, design_problem(study.path, check(source), source))
+    except InputError:
+        raise
+    except TimelawError as error:
+        return Outcome(point, status="; ".join(fault.message for fault in error.faults))
+
+
+def _outcome(point: dict[str, Any], design: Design) -> Outcome:
+    row = law_rows(design)[0]
+    status = sorted({s.status.value for s in design.solution.solutions})
+    return Outcome(
+        point,
+        row.holds,
+        row.duration,
+        row.to_limit,
+        row.continuity,
+        efforts(design),
+        row.peaks,
+        design.family.label,
+        "; ".join(status if row.holds else design.optimised.certificate.findings()),
+    )

@@ -1,0 +1,90 @@
+"""The study file: which problem, which of its keys are varied, and over what."""
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import product
+from math import prod
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+import numpy as np
+from pydantic import BeforeValidator, Field, ValidationError
+
+from timelaw.errors import InputError
+from timelaw.problem.load import read_text, translate
+from timelaw.problem.source import Source, read
+from timelaw.problem.values import Model, fault
+
+MOST_DESIGNS = 10_000
+WITH_UNIT = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*$")
+
+
+def _values(value: Any) -> tuple[Any, ...]:
+    """A list of values, or {from, to, steps}: evenly spaced, with the unit of both ends."""
+    if isinstance(value, list) and value:
+        return tuple(value)
+    if not isinstance(value, dict) or set(value) != {"from", "to", "steps"}:
+        raise fault('a list of values or a range {from: …, to: …, steps: …} is needed, as in "limits.jerk"')
+    steps = value["steps"]
+    if not isinstance(steps, int) or isinstance(steps, bool) or not 2 <= steps <= MOST_DESIGNS:
+        raise fault(f"steps: {steps}; a whole number from 2 to {MOST_DESIGNS} is needed")
+    ends = [WITH_UNIT.match(str(value[end])) for end in ("from", "to")]
+    if ends[0] is None or ends[1] is None or ends[0].group(2) != ends[1].group(2):
+        raise fault(f"from {value['from']} to {value['to']}; both need a number and the same unit")
+    unit = ends[0].group(2)
+    numbers = np.linspace(float(ends[0].group(1)), float(ends[1].group(1)), steps)
+    if unit:
+        return tuple(f"{number:.12g} {unit}" for number in numbers)
+    whole = all(float(number).is_integer() for number in numbers)
+    return tuple(int(number) if whole else float(number) for number in numbers)
+
+
+class StudyModel(Model):
+    """A study file, version 1."""
+
+    study: Annotated[Literal[1], Field(alias="timelaw-study")]
+    name: Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]*$", max_length=100)]
+    problem: str
+    vary: Annotated[dict[str, Annotated[tuple[Any, ...], BeforeValidator(_values)]], Field(min_length=1)]
+    effort: Literal["jerk", "energy", "snap", "torque"] = "jerk"
+
+
+@dataclass(frozen=True)
+class Study:
+    """The varied keys with their values, and the source of the problem file they are put into."""
+
+    name: str
+    path: Path
+    base: Source
+    vary: dict[str, tuple[Any, ...]]
+    effort: str
+
+    @property
+    def size(self) -> int:
+        """How many designs there are."""
+        return prod(len(values) for values in self.vary.values())
+
+    def points(self) -> Iterator[dict[str, Any]]:
+        """Every combination of the varied values, the last key varying fastest."""
+        for values in product(*self.vary.values()):
+            yield dict(zip(self.vary, values, strict=True))
+
+
+def read_study(path: Path) -> Study:
+    """Read a study file and the problem file it names, which stands beside it.
+
+    Raises:
+        InputError: either file is wrong.
+    """
+    source = read(read_text(path), str(path))
+    try:
+        model = StudyModel.model_validate(source.data)
+    except ValidationError as error:
+        raise InputError(*translate(source, error, StudyModel)) from None
+    problem = path.parent / model.problem
+    study = Study(model.name, problem, read(read_text(problem), str(problem)), dict(model.vary), model.effort)
+    if study.size > MOST_DESIGNS:
+        message = f"{study.size} designs; at most {MOST_DESIGNS} are made"
+        raise InputError(source.fault(("vary",), message))
+    return study
