@@ -69,6 +69,25 @@ def test_slower_legs_and_fixed_durations(tmp_path):
     assert [c.limit for c in designed.optimised.certificate.limits][-1] == "velocity on 8–10"
 
 
+def test_limits_at_a_node_hold_on_the_legs_that_meet_there(tmp_path):
+    rules = (
+        "nodes: {at: {8: {limits: {velocity: 20 deg/s}}}}\nsegments: {8-10: {limits: {velocity: 10 deg/s}}}"
+    )
+    law = verified(make(tmp_path, rules))
+    limits = {s.name: np.degrees(s.limits["velocity"]) for s in law.segments if s.limits}
+    assert limits == pytest.approx({"3–8": 20, "8–10": 10})
+
+
+def test_splines_of_every_degree_and_continuity(tmp_path):
+    for degree, continuity in ((3, 2), (6, 4), (7, 4), (7, 2)):
+        easing = f"{{basis: spline, degree: {degree}, intervals: 40}}"
+        designed = make(
+            tmp_path, f"nodes: {{continuity: {continuity}}}", **{"{basis: polynomial, degree: 9}": easing}
+        )
+        verified(designed)
+        assert designed.optimised.certificate.duration <= 27.6 * 1.03
+
+
 def test_arrival_times_are_met(tmp_path):
     law = verified(make(tmp_path, "nodes: {dwell: 0.5 s, at: {3: {time: 12 s}, 4: {time: 60 s}}}"))
     arrival = {s.target: s.end_time for s in law.segments if s.kind == "arc"}
@@ -104,7 +123,7 @@ FAULTS = {
     "segments: {1-12: {}}": 'segments.1-12: give "duration", "limits" or both',
     "segments: {1-12: {limits: {torque: 1 N*m}}}": 'segments.1-12.limits.torque: a limit on the torque needs "body: {inertia: …}"',
     "segments: {1-12: {limits: {speed: 1 N*m}}}": 'segments.1-12.limits: unknown key "speed"; allowed: velocity, acceleration, jerk, snap, torque, momentum',
-    "nodes: {at: {7: {dwel: 2 s}}}": 'nodes.at.7: unknown key "dwel"; allowed: dwell, stop, time; did you mean "dwell"?',
+    "nodes: {at: {7: {dwel: 2 s}}}": 'nodes.at.7: unknown key "dwel"; allowed: dwell, stop, time, limits; did you mean "dwell"?',
     "nodes: {dwell: -1 s}": 'nodes.dwell: "-1 s" is out of range; 0 to 1e+09 s are allowed',
     "nodes: {continuity: 1}": "limits.jerk: a limit on the jerk needs continuity 2 at the nodes, not 1",
     "body: {inertia: [1 kg*m^2, 1 kg*m^2]}": "body.inertia: three principal moments or three rows of three are needed",

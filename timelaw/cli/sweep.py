@@ -57,7 +57,8 @@ def _groups(study: Study, outcomes: list[Outcome]) -> dict[str, list[tuple[float
     groups: dict[str, list[tuple[float, float]]] = defaultdict(list)
     for outcome in outcomes:
         if outcome.duration is not None and study.effort in outcome.efforts:
-            label = ", ".join(f"{k} = {v}" for k, v in outcome.point.items() if k != last)
+            varied = [key for key in study.vary if key != last and len(study.vary[key]) > 1]
+            label = ", ".join(f"{key} = {outcome.point[key]}" for key in varied)
             groups[label].append((outcome.duration, outcome.efforts[study.effort]))
     return dict(groups)
 

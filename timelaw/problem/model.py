@@ -113,6 +113,9 @@ class Problem(Model):
         places += [
             (("segments", leg, "limits"), rule.limits) for leg, rule in self.segments.items() if rule.limits
         ]
+        places += [
+            (("nodes", "at", node, "limits"), r.limits) for node, r in self.nodes.at.items() if r.limits
+        ]
         for where, limits in places:
             for name in limits.given():
                 if name in NEEDS_INERTIA and self.body is None:

@@ -13,11 +13,15 @@ INSTANT = quantity(TIME)
 
 
 class NodeRule(Model):
-    """What holds at one node: a dwell at rest, a forced stop, the time of arrival."""
+    """What holds at one node: a dwell at rest, a forced stop, the time of arrival.
+
+    `limits` hold on the legs that meet at the node, besides the general ones.
+    """
 
     dwell: Annotated[float | None, DWELL] = None
     stop: bool = False
     time: Annotated[float | None, INSTANT] = None
+    limits: Limits | None = None
 
 
 class EndRates(Model):

@@ -42,7 +42,7 @@ def part_curves(
         rows = [row for row, own in law.rows(segment) if row.limit == limit and not own]
         for row, piece, polynomial in row_polynomials(rows, segment.rates):
             start, end = breaks[piece]
-            u = np.linspace(0.0, 1.0, 2 + POINTS_PER_DEGREE * polynomial.degree)
+            u = np.linspace(0.0, 1.0, 3 + POINTS_PER_DEGREE * polynomial.degree)
             times, values = curves.setdefault(row.label, ([], []))
             times.append(start + u * (end - start))
             values.append((np.abs(evaluate(polynomial.control, u)) / row.bound) ** (1 / row.root))

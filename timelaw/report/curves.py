@@ -11,7 +11,7 @@ from timelaw.numerics.bernstein import evaluate
 
 Array = NDArray[np.float64]
 
-POINTS_PER_DEGREE = 16
+POINTS_PER_DEGREE = 16  # even, so that the middle of an interval, often a zero, is among them
 
 
 def rate_curve(segments: Sequence[Segment], order: int) -> tuple[Array, Array]:
@@ -21,7 +21,7 @@ def rate_curve(segments: Sequence[Segment], order: int) -> tuple[Array, Array]:
     for segment in segments:
         breaks = segment.start_time + segment.duration * segment.breaks
         for rate, (start, end) in zip(segment.rates(order), pairwise(breaks), strict=True):
-            u = np.linspace(0.0, 1.0, 2 + POINTS_PER_DEGREE * rate.degree)
+            u = np.linspace(0.0, 1.0, 3 + POINTS_PER_DEGREE * rate.degree)
             times.append(start + u * (end - start))
             values.append(np.abs(evaluate(rate.control, u)))
     return np.concatenate(times), np.concatenate(values)

@@ -53,11 +53,12 @@ def schedule(problem: Problem, route: Route) -> Schedule:
     """
     given, inertia = problem.limits.given(), problem.inertia()
     rules, legs = _node_rules(problem, route), _leg_rules(problem, route)
+    own = _leg_limits(route, rules, legs)
     base = limits_of(given, inertia)
     demands = []
     for index, leg in enumerate(route.legs):
         rule = legs.get(index)
-        extra = limits_of(rule.limits.given(), inertia) if rule and rule.limits else ()
+        extra = limits_of(own.get(index, {}), inertia)
         rows = binding((*rows_on(base, leg.axis), *rows_on(extra, leg.axis)))
         if not any(_bounds_time(row) for row in rows):
             message = f"no limit bounds the motion of leg {leg.name}; add a norm limit"
@@ -75,7 +76,7 @@ def schedule(problem: Problem, route: Route) -> Schedule:
         problem.nodes.start.rates(problem.nodes.continuity) if problem.nodes.start else (),
         problem.nodes.end.rates(problem.nodes.continuity) if problem.nodes.end else (),
         given,
-        {i: rule.limits.given() for i, rule in legs.items() if rule.limits},
+        own,
         inertia,
     )
 
@@ -112,6 +113,36 @@ def _leg_rules(problem: Problem, route: Route) -> dict[int, SegmentRule]:
             raise InputError(Fault(f'the tour has no leg "{name}"; it has {some(names)}', f"segments.{name}"))
         rules[names.index(name)] = rule
     return rules
+
+
+def _leg_limits(
+    route: Route, rules: Mapping[int, NodeRule], legs: Mapping[int, SegmentRule]
+) -> dict[int, dict[str, Bounds]]:
+    """Limits of single legs: their own, and those of the nodes at both ends; the tightest of each counts."""
+    given = [
+        (i, f"segments.{route.legs[i].origin}-{route.legs[i].target}", rule.limits)
+        for i, rule in legs.items()
+    ]
+    for node, rule in rules.items():
+        where = f"nodes.at.{route.nodes[node].label}"
+        given += [(i, where, rule.limits) for i in (node - 1, node) if 0 <= i < len(route.legs)]
+    found: dict[int, dict[str, Bounds]] = {}
+    for index, where, limits in given:
+        for name, bounds in limits.given().items() if limits else ():
+            own = found.setdefault(index, {})
+            tighter = _tighter(own.get(name, bounds), bounds)
+            if tighter is None:
+                message = f"{name} on leg {route.legs[index].name} is given both as a norm and by axis"
+                raise InputError(Fault(message, where))
+            own[name] = tighter
+    return found
+
+
+def _tighter(one: Bounds, other: Bounds) -> Bounds | None:
+    """The tighter of two norms, or axis by axis; None for a norm and axes."""
+    if isinstance(one, tuple) and isinstance(other, tuple):
+        return (min(one[0], other[0]), min(one[1], other[1]), min(one[2], other[2]))
+    return None if isinstance(one, tuple) or isinstance(other, tuple) else min(one, other)
 
 
 def _dwells(problem: Problem, route: Route, rules: Mapping[int, NodeRule]) -> tuple[float, ...]:
