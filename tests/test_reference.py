@@ -8,6 +8,7 @@ import pytest
 
 from tests.conftest import PROBLEMS, reference
 from tests.oracles import QUINTIC_PEAKS, LinearProgram, smoothstep_duration
+from timelaw import design
 from timelaw.certificate import certify
 from timelaw.certificate.certificate import compare_with_record
 from timelaw.motion.law_file import read_law
@@ -39,10 +40,10 @@ def single_and_pair(bounds, angle, lengths):
 @pytest.mark.parametrize("name", CASES)
 def test_reference_problems(name):
     bounds, angle, legs, runs, stopping, limit = CASES[name]
-    design = reference(name)
-    assert Counter(len(run.angles) for run in design.route.runs()) == runs
-    np.testing.assert_allclose(design.route.angles, angle * DEG, rtol=1e-12)
-    durations = {entry.name: entry.certificate.duration for entry in design.laws}
+    designed = reference(name)
+    assert Counter(len(run.angles) for run in designed.route.runs()) == runs
+    np.testing.assert_allclose(designed.route.angles, angle * DEG, rtol=1e-12)
+    durations = {entry.name: entry.certificate.duration for entry in designed.laws}
     quintic = legs * smoothstep_duration(QUINTIC_PEAKS, angle, bounds)
     assert durations["quintic"] == pytest.approx(quintic, rel=1e-9)
     if stopping is not None:
@@ -54,42 +55,42 @@ def test_reference_problems(name):
     upper = sum(count * best[length][1] for length, count in runs.items())
     assert lower * (1 - 1e-5) <= durations["optimised"] <= upper * (1 + 1e-5)
     assert durations["double-S"] < durations["optimised"] < durations["quintic"]
-    assert all(entry.certificate.holds for entry in design.laws)
-    assert all(entry.certificate.continuity.order == 2 for entry in design.laws)
+    assert all(entry.certificate.holds for entry in designed.laws)
+    assert all(entry.certificate.continuity.order == 2 for entry in designed.laws)
 
 
 def test_the_first_steps_file_goes_straight_once():
-    design = reference("first-steps")
-    assert design.optimised.certificate.holds
-    assert [node.kind for node in design.route.nodes] == ["start", "straight", "corner", "corner", "end"]
+    designed = reference("first-steps")
+    assert designed.optimised.certificate.holds
+    assert [node.kind for node in designed.route.nodes] == ["start", "straight", "corner", "corner", "end"]
 
 
 def test_the_slew_is_bound_by_torque_and_momentum():
-    design = reference("reaction-wheel-slew")
-    ratios = {check.limit: check.ratio for check in design.optimised.certificate.limits}
-    assert design.optimised.certificate.holds
+    designed = reference("reaction-wheel-slew")
+    ratios = {check.limit: check.ratio for check in designed.optimised.certificate.limits}
+    assert designed.optimised.certificate.holds
     assert {name for name, ratio in ratios.items() if ratio > 0.999} >= {"torque x", "torque y", "momentum x"}
     # about y: J 10 kg m², so 0.01 rad/s² and 0.05 rad/s under 0.2 deg/s³ for 45 degrees, and 5 s at 6 nodes
     ramp = 0.01 / (0.2 * DEG) + 0.05 / 0.01
     leg = 45 * DEG / 0.05 + ramp
-    assert design.optimised.law.segments[1].duration == pytest.approx(leg, rel=1e-6)
+    assert designed.optimised.law.segments[1].duration == pytest.approx(leg, rel=1e-6)
 
 
 def test_the_wrist_is_calm_and_slow_past_the_cable():
-    design = reference("wrist-calibration")
-    assert design.optimised.certificate.holds
-    assert design.optimised.certificate.continuity.order == 3
-    rows = {row.name: row for row in law_rows(design)}
+    designed = reference("wrist-calibration")
+    assert designed.optimised.certificate.holds
+    assert designed.optimised.certificate.continuity.order == 3
+    rows = {row.name: row for row in law_rows(designed)}
     assert rows["optimised"].to_limit < 1.012
 
 
 def test_the_scan_keeps_its_times():
-    design = reference("camera-scan")
-    assert design.optimised.certificate.holds
-    ends = {s.target: s.end_time for s in design.optimised.law.segments}
+    designed = reference("camera-scan")
+    assert designed.optimised.certificate.holds
+    ends = {s.target: s.end_time for s in designed.optimised.law.segments}
     assert ends["2"] == pytest.approx(3, rel=1e-12)
     assert ends["3"] == pytest.approx(5, rel=1e-12)
-    assert design.optimised.law.duration == pytest.approx(16, rel=1e-12)
+    assert designed.optimised.law.duration == pytest.approx(16, rel=1e-12)
 
 
 def test_every_problem_file_is_a_case():
@@ -117,3 +118,10 @@ def test_ci_runs_the_readmes_test_command():
     command = "python3 -m venv .venv && .venv/bin/pip install -q -e '.[test]' && .venv/bin/pytest\n"
     assert command in README
     assert (Path(__file__).parent.parent / ".ci" / "run").read_text().endswith(command)
+
+
+def test_the_readmes_problem_file_is_designed_as_it_stands(tmp_path):
+    block = README.split("```yaml\n")[1].split("```")[0]
+    (tmp_path / "readme.yaml").write_text(block)
+    designed = design(tmp_path / "readme.yaml")
+    assert designed.optimised.certificate.findings() == []

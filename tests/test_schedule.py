@@ -124,6 +124,7 @@ FAULTS = {
     "segments: {1-12: {limits: {torque: 1 N*m}}}": 'segments.1-12.limits.torque: a limit on the torque needs "body: {inertia: …}"',
     "segments: {1-12: {limits: {speed: 1 N*m}}}": 'segments.1-12.limits: unknown key "speed"; allowed: velocity, acceleration, jerk, snap, torque, momentum',
     "nodes: {at: {7: {dwel: 2 s}}}": 'nodes.at.7: unknown key "dwel"; allowed: dwell, stop, time, limits; did you mean "dwell"?',
+    "nodes: {start: {velocity: 1 deg/s}, at: {1: {dwell: 1 s}}}": 'nodes.at.1.dwell: the motion begins or ends moving at "1", where it cannot dwell',
     "nodes: {dwell: -1 s}": 'nodes.dwell: "-1 s" is out of range; 0 to 1e+09 s are allowed',
     "nodes: {continuity: 1}": "limits.jerk: a limit on the jerk needs continuity 2 at the nodes, not 1",
     "body: {inertia: [1 kg*m^2, 1 kg*m^2]}": "body.inertia: three principal moments or three rows of three are needed",

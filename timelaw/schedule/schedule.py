@@ -146,11 +146,19 @@ def _tighter(one: Bounds, other: Bounds) -> Bounds | None:
 
 
 def _dwells(problem: Problem, route: Route, rules: Mapping[int, NodeRule]) -> tuple[float, ...]:
-    """Dwell at every node; the return of a closed tour to its first node is no second visit."""
+    """Dwell at every node but where the motion begins or ends moving.
+
+    The return of a closed tour to its first node is no second visit.
+    """
+    last = len(route.nodes) - 1
+    moving = {0: problem.nodes.start, last: problem.nodes.end}
     closed = route.nodes[0].label == route.nodes[-1].label
     dwells = []
-    for index in range(len(route.nodes)):
-        general = 0.0 if closed and index == len(route.nodes) - 1 else problem.nodes.dwell
+    for index, node in enumerate(route.nodes):
+        general = 0.0 if moving.get(index) or (closed and index == last) else problem.nodes.dwell
         own = rules[index].dwell if index in rules else None
+        if own and moving.get(index):
+            message = f'the motion begins or ends moving at "{node.label}", where it cannot dwell'
+            raise InputError(Fault(message, f"nodes.at.{node.label}.dwell"))
         dwells.append(general if own is None else own)
     return tuple(dwells)
