@@ -1,11 +1,14 @@
 """The numbers of the comparison: one row per law, one per distinct run."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from timelaw.easing.physical_limit import physical_limit as run_limit
+from timelaw.nlp import Solution
 from timelaw.objectives import EFFORTS, effort_of
 from timelaw.pipeline import Certified, Design
+from timelaw.schedule import Demand
 from timelaw.time_law import physical_limit, quintic
 from timelaw.time_law.baselines import chains
 
@@ -65,27 +68,30 @@ def _row(entry: Certified, slowest: float, least: float) -> LawRow:
 
 
 def run_rows(design: Design) -> list[RunRow]:
-    """The distinct runs, in the order in which the route meets them."""
+    """The distinct runs, in the order in which the route meets them; or all of them as one, if solved so."""
+    runs = chains(design.route, design.schedule)
+    if len(design.solution.solutions[0].timings) == len(design.route.legs):
+        least = sum(run_limit(demands) for demands in runs)
+        return [_run_row(1, design.schedule.demands, least, design.solution.solutions[0])]
     rows = []
-    demands = chains(design.route, design.schedule)
     for index, solution in enumerate(design.solution.solutions):
-        runs = [c for c, i in zip(demands, design.solution.of_run, strict=True) if i == index]
-        legs = [demand.angle for demand in runs[0]]
-        least = run_limit(runs[0])
-        rows.append(
-            RunRow(
-                len(runs),
-                tuple(legs),
-                solution.duration,
-                solution.duration / least,
-                solution.status.value,
-                solution.rounds,
-                solution.iterations,
-                solution.rows,
-                solution.gap,
-            )
-        )
+        alike = [run for run, i in zip(runs, design.solution.of_run, strict=True) if i == index]
+        rows.append(_run_row(len(alike), alike[0], run_limit(alike[0]), solution))
     return rows
+
+
+def _run_row(count: int, demands: Sequence[Demand], least: float, solution: Solution) -> RunRow:
+    return RunRow(
+        count,
+        tuple(demand.angle for demand in demands),
+        solution.duration,
+        solution.duration / least,
+        solution.status.value,
+        solution.rounds,
+        solution.iterations,
+        solution.rows,
+        solution.gap,
+    )
 
 
 def efforts(design: Design) -> dict[str, float]:
