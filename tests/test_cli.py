@@ -29,6 +29,7 @@ def test_design_writes_its_files_and_says_so(designed):
     assert done.returncode == 0
     assert done.stdout == ""
     assert "certified: all limits hold for all t" in done.stderr
+    assert "time [s]" in done.stderr
     assert "\r" not in done.stderr
     names = {path.name for path in (folder / "results" / "first-steps").iterdir()}
     assert names == {"law.json", "samples.csv", "report.html", "rates.svg", "easings.svg"}

@@ -64,16 +64,43 @@ def design(path: str | Path, progress: Progress | None = None) -> Design:
 def design_problem(path: Path, problem: Problem, source: Source, progress: Progress | None = None) -> Design:
     """Design the law of a problem that is already read; tables are looked for beside `path`."""
     with source.placed():
-        points = orientations(problem.route.orientations, path.parent)
-        order = tour(problem.route, points)
-        way = route(points, order)
-        plan = schedule(problem, way)
+        points, order, way, plan = _lay_out(path, problem)
         candidates = families(problem)
         family, solution = optimise(way, plan, candidates, within(problem), problem.objective, progress)
     law = _certified(problem, way, optimised(solution, plan), plan, problem.nodes.continuity)
     baselines = [b for name in problem.baselines for b in BASELINES[name](way, plan)]
     beside = tuple(_certified(problem, way, time_law, plan) for time_law in baselines)
     return Design(path, problem, source, points, order, way, plan, family, solution, law, beside)
+
+
+@dataclass(frozen=True)
+class Layout:
+    """What is fixed before any time is chosen."""
+
+    path: Path
+    problem: Problem
+    orientations: OrientationSet
+    tour: Tour
+    route: Route
+    schedule: Schedule
+
+
+def lay_out(path: str | Path) -> Layout:
+    """Read a problem file as far as its route and what is demanded on it, without designing a law.
+
+    Raises:
+        InputError: the problem file, or a table it names, is wrong.
+    """
+    problem, source = load(path := Path(path))
+    with source.placed():
+        return Layout(path, problem, *_lay_out(path, problem))
+
+
+def _lay_out(path: Path, problem: Problem) -> tuple[OrientationSet, Tour, Route, Schedule]:
+    points = orientations(problem.route.orientations, path.parent)
+    order = tour(problem.route, points)
+    way = route(points, order)
+    return points, order, way, schedule(problem, way)
 
 
 def _certified(

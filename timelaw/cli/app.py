@@ -50,6 +50,23 @@ def sweep(study: str, output: str | None, processes: int | None, as_json: bool) 
 
 
 @timelaw.command()
+@click.argument("problem", type=click.Path())
+@click.option(
+    "-o",
+    "--output",
+    type=click.Path(),
+    help="Orientation file (CSV) in the tour's order; with it, its picture (SVG).",
+)
+@click.option("--table", is_flag=True, help="Print the distances between all orientations too.")
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON object on stdout.")
+def tour(problem: str, output: str | None, table: bool, as_json: bool) -> int:
+    """Show the tour of a PROBLEM file and the time it allows, without designing a law."""
+    from timelaw.cli.tour import run
+
+    return run(problem, output, table=table, as_json=as_json)
+
+
+@timelaw.command()
 @click.argument("law", type=click.Path())
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object on stdout.")
 def verify(law: str, as_json: bool) -> int:

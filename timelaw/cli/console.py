@@ -56,7 +56,7 @@ def print_table(headings: list[str], rows: list[list[str]]) -> None:
 
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 1))
     for index, heading in enumerate(headings):
-        table.add_column(heading, justify="right" if index else "left", no_wrap=True)
+        table.add_column(Text(heading), justify="right" if index else "left", no_wrap=True)
     for row in rows:
         table.add_row(*map(Text, row))  # labels may hold what markup looks like
     width = None if sys.stderr.isatty() else UNBOUNDED

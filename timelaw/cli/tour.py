@@ -1,0 +1,91 @@
+"""`timelaw tour`: legs, turns, certificate and the time a tour allows, before any law is designed."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from timelaw.cli.console import print_json, print_table, say
+from timelaw.errors import EXIT_DONE
+from timelaw.export.atomic import write_text
+from timelaw.pipeline import Layout, lay_out
+from timelaw.time_law import physical_limit
+from timelaw.tours.report import arc_table, certificate, orientation_csv
+
+
+def run(problem: str, output: str | None, *, table: bool, as_json: bool) -> int:
+    """Show the tour of a problem file; returns the exit code."""
+    layout = lay_out(problem)
+    found = _summary(layout)
+    _print(layout, found)
+    if table:
+        _print_distances(layout)
+    if output is not None:
+        from timelaw.report.sphere import traces
+
+        path = Path(output)
+        write_text(path, orientation_csv(layout.orientations, layout.tour))
+        write_text(path.with_suffix(".svg"), traces(layout.problem.name, layout.route))
+        found["files"] = [str(path), str(path.with_suffix(".svg"))]
+        say(f"orientations in the tour's order: {path}; picture: {path.with_suffix('.svg')}")
+    if as_json:
+        print_json({"ok": True, "exit_code": EXIT_DONE, **found})
+    return EXIT_DONE
+
+
+def _summary(layout: Layout) -> dict[str, Any]:
+    """Everything there is to say, in plain data; angles in degrees."""
+    route, schedule = layout.route, layout.schedule
+    inner = route.nodes[1:-1]
+    return {
+        "name": layout.problem.name,
+        "closed": layout.tour.closed,
+        "tour": [layout.orientations.labels[i] for i in layout.tour.order],
+        "legs": [
+            {"leg": leg.name, "angle": float(np.degrees(leg.angle)), "axis": leg.axis.tolist()}
+            for leg in route.legs
+        ],
+        "turns": [{"node": n.label, "kind": n.kind, "turn": float(np.degrees(n.turn))} for n in inner],
+        "length": float(np.degrees(layout.tour.length)),
+        "total_turning": float(np.degrees(sum(n.turn for n in inner))),
+        "straight_nodes": route.straight_nodes,
+        "runs": [len(run.angles) for run in schedule.runs(route)],
+        "is_shortest": layout.tour.is_shortest,
+        "certificate": certificate(layout.tour),
+        "time_over_runs": physical_limit(route, schedule),
+        "time_with_every_stop": physical_limit(route, schedule, stop=True),
+    }
+
+
+def _print(layout: Layout, found: dict[str, Any]) -> None:
+    nodes = layout.route.nodes
+    rows = [
+        [
+            leg.name,
+            f"{np.degrees(leg.angle):.4f}",
+            ", ".join(f"{c:.4f}" for c in leg.axis) + (" (half-turn)" if leg.half_turn else ""),
+            node.kind,
+            f"{np.degrees(node.turn):.2f}" if node.kind in ("corner", "straight") else "",
+        ]
+        for leg, node in zip(layout.route.legs, nodes[1:], strict=True)
+    ]
+    print_table(["leg", "angle [deg]", "axis (body)", "then", "axis turns [deg]"], rows)
+    say(found["certificate"])
+    say(
+        f"{found['straight_nodes']} of {len(nodes) - 2} inner nodes go straight on; "
+        f"the axis turns by {found['total_turning']:.2f}° in all"
+    )
+    say(
+        f"least time over the runs {found['time_over_runs']:.4f} s, "
+        f"with a stop at every node {found['time_with_every_stop']:.4f} s"
+    )
+
+
+def _print_distances(layout: Layout) -> None:
+    """Table 1 of [MMB2017]: arcs on S³ in degrees."""
+    labels = list(layout.orientations.labels)
+    arcs = np.degrees(arc_table(layout.orientations))
+    print_table(
+        ["arc [deg]", *labels],
+        [[label, *(f"{a:.4g}" for a in row)] for label, row in zip(labels, arcs, strict=True)],
+    )
