@@ -64,7 +64,7 @@ CASES = {
     "norm": (replaced("{lattice: 24-cell}", "{list: [[1, 0, 0, 0], [1, 1, 0, 0]]}"), "4:39: route.orientations.list[2]: [1, 1, 0, 0] has norm 1.41421; a unit quaternion [w, x, y, z] is needed"),
     "not a number": (replaced("{lattice: 24-cell}", "{list: [[1, 0, 0, 0], [.nan, 1, 0, 0]]}"), "4:39: route.orientations.list[2]: [nan, 1, 0, 0] has norm nan; a unit quaternion [w, x, y, z] is needed"),
     "one orientation": (replaced("{lattice: 24-cell}", "{list: [[1, 0, 0, 0]]}"), "4:17: route.orientations: a list needs at least two orientations"),
-    "tour": (replaced("paper", "papr"), '5:9: route.tour: "papr"; allowed: paper, shortest, given, or a list of labels; did you mean "paper"?'),
+    "tour": (replaced("paper", "papr"), '5:9: route.tour: "papr"; allowed: paper, shortest, fewest-stops, given, or a list of labels; did you mean "paper"?'),
     "tour of one": (replaced("paper", "[1]"), "5:9: route.tour: a tour needs at least two labels"),
     "tour label": (replaced("paper", "[1, 2.5]"), "5:9: route.tour: a label is a number or a text, not 2.5"),
     "closed": (replaced("paper", "paper\n  closed: yes"), '6:11: route.closed: "yes"; allowed: true, false'),

@@ -125,6 +125,8 @@ FAULTS = {
     "segments: {1-12: {limits: {speed: 1 N*m}}}": 'segments.1-12.limits: unknown key "speed"; allowed: velocity, acceleration, jerk, snap, torque, momentum',
     "nodes: {at: {7: {dwel: 2 s}}}": 'nodes.at.7: unknown key "dwel"; allowed: dwell, stop, time, limits; did you mean "dwell"?',
     "nodes: {start: {velocity: 1 deg/s}, at: {1: {dwell: 1 s}}}": 'nodes.at.1.dwell: the motion begins or ends moving at "1", where it cannot dwell',
+    "nodes: {start: {velocity: 1 deg/s, jerk: 2 deg/s^3}}": "nodes.start.jerk: the jerk jumps with continuity 2; ask for 3",
+    "objective: {minimise: snap, total_time: 60 s}": "objective.minimise: to minimise snap, continuity 3 at the nodes is needed, not 2",
     "nodes: {dwell: -1 s}": 'nodes.dwell: "-1 s" is out of range; 0 to 1e+09 s are allowed',
     "nodes: {continuity: 1}": "limits.jerk: a limit on the jerk needs continuity 2 at the nodes, not 1",
     "body: {inertia: [1 kg*m^2, 1 kg*m^2]}": "body.inertia: three principal moments or three rows of three are needed",
@@ -150,10 +152,89 @@ def test_rules_that_make_no_sense(tmp_path, line):
 IMPOSSIBLE = {
     "objective: {minimise: jerk, total_time: 20 s}": "20 s is too early for the end: the earliest possible is 28.8289 s, 8.82888 s later",
     "nodes: {at: {3: {time: 7 s}}}": "7 s is too early for arrival at 3: the earliest possible is 7.70363 s, 0.703631 s later",
-    "nodes: {at: {3: {time: 12 s}, 8: {time: 12.5 s}}}": "12.5 s is too early for arrival at 8",
+    "nodes: {at: {3: {time: 12 s}, 8: {time: 12.5 s}}}": "nodes.at.8.time: within the given times the limits would have to be 12.6042 times as large",
     "segments: {1-12: {duration: 2.5 s}}": "within the given durations and end rates of a run the limits would have to be 1.16",
+    "nodes: {at: {12: {time: 8 s}}}\nsegments: {1-12: {duration: 5 s}}": "fixed durations put arrival at 12 at 5 s",
     "nodes: {at: {3: {time: 8 s}}}\nsegments: {1-12: {duration: 5 s}}": "8 s is too early for arrival at 3: the earliest possible is 9.84464 s",
 }  # fmt: skip
+
+
+EASINGS = {
+    "{basis: double-s}\nsegments: {1-12: {duration: 5 s}}": "easing.basis: a double-s has the least time from rest to rest; it keeps no given times",
+    "{basis: double-s}\nnodes: {continuity: 3}": "easing.basis: a double-s has continuity 2 where the jerk is limited, else 1; ask for no more",
+    "{basis: spline, degree: 3}\nnodes: {continuity: 3}": "easing.degree: 3; continuity 3 at the nodes needs degree 4 or more",
+    "{basis: spline, within: 1 %}": "easing.within: within belongs to the basis auto, not to spline",
+    "{basis: auto, within: 0 %}": 'easing.within: "0 %"; a part from 0.001 % to less than 100 % is needed, like "1 %"',
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("easing", EASINGS)
+def test_easings_that_make_no_sense(tmp_path, easing):
+    with pytest.raises(InputError) as error:
+        make(tmp_path, **{"{basis: polynomial, degree: 9}": easing})
+    assert str(error.value).split(": ", 1)[1] == EASINGS[easing]
+
+
+def test_snap_alone_is_not_enough(tmp_path):
+    with pytest.raises(InputError, match="snap alone is not enough"):
+        make(tmp_path, **{BASE[BASE.index("  velocity") : BASE.index("nodes:")]: "  snap: 9 deg/s^4\n"})
+
+
+def test_an_arrival_inside_a_run_may_be_earlier_than_on_the_way_to_the_earliest_end(tmp_path):
+    """60° and then 10° about x: to be at the end soonest the body brakes late, to be at the node sooner it need not."""
+    list_ = "{list: [[1, 0, 0, 0], [0.8660254037844386, 0.5, 0, 0], [0.8191520442889918, 0.573576436351046, 0, 0], [0, 0, 1, 0]]}"
+    replacements = {
+        "{lattice: 24-cell}": list_,
+        "tour: paper": "tour: given",
+        "60 deg/s": "90 deg/s",
+        "120 deg/s^2": "180 deg/s^2",
+        "600 deg/s^3": "1200 deg/s^3",
+    }
+    soonest = make(tmp_path, **replacements).optimised.law.times[1]
+    law = verified(make(tmp_path, f"nodes: {{at: {{2: {{time: {0.98 * soonest:.6f} s}}}}}}", **replacements))
+    assert law.times[1] == pytest.approx(0.98 * soonest, rel=1e-6)
+
+
+def test_what_is_fixed_stays_fixed_also_next_to_the_least_total_time(tmp_path):
+    lines = [
+        "segments: {1-12: {duration: 3.2 s}}",
+        "objective: {minimise: jerk, total_time: 1.000008 x minimum}",
+    ]
+    law = verified(make(tmp_path, *lines))
+    assert law.segments[0].duration == pytest.approx(3.2, rel=1e-12)
+
+
+def test_a_weight_is_not_forgotten_for_an_early_arrival(tmp_path):
+    lines = ["nodes: {at: {12: {time: 2.859 s}}}", "objective: {minimise: jerk, weight: 10}"]
+    assert verified(make(tmp_path, *lines)).duration > 1.2 * 28.83
+
+
+@pytest.mark.parametrize("basis", ["spline", "auto"])
+def test_without_a_jerk_limit_the_continuity_is_still_kept(tmp_path, basis):
+    designed = make(
+        tmp_path, **{"{basis: polynomial, degree: 9}": f"{{basis: {basis}}}", "  jerk: 600 deg/s^3\n": ""}
+    )
+    verified(designed)
+    assert designed.optimised.certificate.continuity.order >= 2
+
+
+def test_splines_of_continuity_4_are_certified_so(tmp_path):
+    easing = {"{basis: polynomial, degree: 9}": "{basis: spline}"}
+    designed = make(tmp_path, "nodes: {continuity: 4}", **easing)
+    verified(designed)
+
+
+def test_auto_knows_that_a_moving_motion_may_be_faster(tmp_path):
+    ends = "nodes: {start: {velocity: 50 deg/s}, end: {velocity: 50 deg/s}}"
+    list_ = {
+        "{lattice: 24-cell}": "{list: [[1, 0, 0, 0], [0.5, 0.8660254037844386, 0, 0]]}",
+        "tour: paper": "tour: given",
+    }
+    nine = verified(make(tmp_path, ends, **list_)).duration
+    auto = verified(
+        make(tmp_path, ends, **{**list_, "{basis: polynomial, degree: 9}": "{basis: auto}"})
+    ).duration
+    assert auto <= nine
 
 
 @pytest.mark.parametrize("lines", IMPOSSIBLE)

@@ -86,6 +86,7 @@ def test_what_cannot_be_met_is_an_outcome(study):
         ("vary: {easing.degree: 9}\n", "a list of values or a range {from: …, to: …, steps: …} is needed"),
         ("vary: {limits.jerk: {from: 3 deg/s^3, to: 4 rad/s^3, steps: 3}}\n", "both need a number and the same unit"),
         ("vary: {easing.degree: {from: 7, to: 9, steps: 1}}\n", "steps: 1; a whole number from 2 to 10000 is needed"),
+        ("vary: {limits.jerk: [7 deg/s^3], limits: [{jerk: 1 deg/s^3}]}\n", '"limits.jerk" is a part of "limits"; vary one of them'),
         ("vary: {easing.degree: [7]}\nefort: jerk\n", 's.yaml:5:1: unknown key "efort"; allowed: timelaw-study, name, problem, vary, effort; did you mean "effort"?'),
         ("vary: {easing.degree: [7]}\neffort: noise\n", 's.yaml:5:9: effort: "noise"; allowed: jerk, energy, snap, torque'),
     ],
@@ -99,8 +100,8 @@ def test_malformed_studies(study, text, message):
 @pytest.mark.parametrize(
     ("vary", "message"),
     [
-        ("{easing.degre: [7]}", 'easing: unknown key "degre"'),
-        ("{limits.jerk: [7]}", 'limits.jerk: "7" has no unit'),
+        ("{easing.degre: [7]}", 's.yaml:4:7: vary: with easing.degre = 7: easing: unknown key "degre"'),
+        ("{limits.jerk: [7]}", 's.yaml:4:7: vary: with limits.jerk = 7: limits.jerk: "7" has no unit'),
     ],
 )
 def test_values_a_problem_file_may_not_have_end_the_study(study, vary, message):

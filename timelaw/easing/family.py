@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from timelaw.easing import smoothstep
-from timelaw.easing.double_s_easing import fitted_run_timings
+from timelaw.easing.double_s_easing import constant_bounds, fitted_run_timings
 from timelaw.easing.easing import Timing
 from timelaw.easing.polynomial import PolynomialBasis
 from timelaw.easing.spline import SplineBasis
@@ -69,6 +69,12 @@ class PolynomialFamily:
 
     start = closed_form
 
+    def simpler(self) -> "PolynomialFamily | None":
+        """A family whose laws this one contains, of about half the freedom; none for the least."""
+        least = 2 * self.continuity + 1
+        degree = (self.degree + least) // 2
+        return PolynomialFamily(degree, self.continuity) if least + 2 <= degree < self.degree else None
+
 
 @dataclass(frozen=True)
 class SplineFamily:
@@ -91,19 +97,28 @@ class SplineFamily:
     def _basis(self, timing: Timing) -> SplineBasis:
         first, second, third = (max(1.0, *(p.size for p in timing.easing.derivative(k))) for k in (1, 2, 3))
         least = (50 * np.finfo(float).eps / JERK_RESOLUTION / third) ** (1 / 3)
+        if self.continuity > 3:
+            fourth = third / float(np.min(np.diff(timing.easing.breaks)))
+            least = max(least, (400 * np.finfo(float).eps / JERK_RESOLUTION / fourth) ** (1 / 4))
         breaks = divided(timing.easing.breaks.tolist(), self.intervals, least)
         return SplineBasis(self.degree, breaks, self.continuity, (first, second, third))
 
     def closed_form(self, demands: Sequence[Demand]) -> tuple[Timing, ...]:
         """The double-S profile, a spline of degree 3; for smoother ones the smoothstep."""
         slow = smoothstep.run_timings(demands, self.continuity)
-        if self.degree > PROFILE_DEGREE:
+        if self.degree > PROFILE_DEGREE or profile_class(demands) < self.continuity:
             return slow
         return min(slow, self.start(demands), key=lambda timings: sum(t.duration for t in timings))
 
     def start(self, demands: Sequence[Demand]) -> tuple[Timing, ...]:
         """The double-S profile, which smoother splines come near to."""
         return fitted_run_timings(demands)
+
+
+def profile_class(demands: Sequence[Demand]) -> int:
+    """The class C^k of the double-S profile: 2 where jerk is limited, 1 where acceleration is, else 0."""
+    _, a, j = constant_bounds(demands)
+    return 2 if j < float("inf") else 1 if a < float("inf") else 0
 
 
 @dataclass(frozen=True)

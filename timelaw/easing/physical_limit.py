@@ -8,13 +8,16 @@ from timelaw.easing.double_s_easing import rate_bounds
 from timelaw.schedule import Demand
 
 
-def physical_limit(demands: Sequence[Demand]) -> float:
+def physical_limit(demands: Sequence[Demand], *, moving: bool = False) -> float:
     """A time [s] that no motion over the run's angle beats, whatever its form.
 
     The double-S profile in closed form under the plain rates, and the phase plane under torque;
     where legs of the run differ in their limits, the loosest of each counts for all. Fixed
-    durations count as they are given.
+    durations count as they are given. A run that is entered or left `moving` has the velocity limit
+    alone for a bound.
     """
+    if moving:
+        return sum(demand.angle / rate_bounds(demand.rows)[0] for demand in demands)
     if all(demand.duration is not None for demand in demands):
         return sum(demand.duration or 0.0 for demand in demands)
     angle = sum(demand.angle for demand in demands)

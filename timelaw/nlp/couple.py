@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import accumulate
 
 from timelaw.easing import Timing, fraction
 from timelaw.errors import Fault, InfeasibleError
@@ -10,6 +11,7 @@ from timelaw.problem.goal import Goal
 from timelaw.route import Route
 from timelaw.schedule import Schedule
 
+LEAST_FACTOR = 0.2  # of the least-time law; a start far beyond the limits helps nobody
 AT_MINIMUM = 1e-5  # relative; so close to the least time there is no room but for the least-time law
 
 
@@ -52,13 +54,17 @@ def couple(
 
     budgets = tuple(deadline.budget for deadline in given)
     program = Program(tuple(runs), goal.minimise, goal.weight, budgets)
-    start = stretched_to(least, given)
-    if len(budgets) == 1 and total(start) <= total(least) * (1 + AT_MINIMUM):
+    start = stretched_to(runs, least, given)
+    elastic = all(run.elastic for run in runs)
+    whole = len(budgets) == 1 and budgets[0].legs == len(least)
+    if elastic and whole and total(start) <= total(least) * (1 + AT_MINIMUM):
         return Solution(start, Status.OPTIMAL)
     solution = solve_from(program, start)
     if solution is not None and _holds(program, solution):
-        return _on_time(solution, budgets)
+        return _on_time(runs, solution, budgets)
     peak = solve_from(replace(program, objective="peak", weight=None), start)
+    if elastic and fraction(program.demands, start) <= 1 and (peak is None or not _holds(program, peak)):
+        return Solution(start, Status.STRETCHED)
     if peak is None:
         raise InfeasibleError("the solver found no law in the given times; give more time or another degree")
     used = fraction(program.demands, peak.timings)
@@ -67,8 +73,8 @@ def couple(
         raise InfeasibleError(Fault(message, given[-1].where if given else ""))
     solution = solve_from(program, peak.timings)
     if solution is not None and _holds(program, solution):
-        return replace(_on_time(solution, budgets), status=Status.SECOND_START)
-    return replace(_on_time(peak, budgets), status=Status.LEAST_PEAK)
+        return replace(_on_time(runs, solution, budgets), status=Status.SECOND_START)
+    return replace(_on_time(runs, peak, budgets), status=Status.LEAST_PEAK)
 
 
 def _holds(program: Program, solution: Solution) -> bool:
@@ -80,32 +86,54 @@ def _holds(program: Program, solution: Solution) -> bool:
     return used <= 1 or program.objective == "peak"
 
 
-def stretched_to(least: Sequence[Timing], given: Sequence[Deadline]) -> tuple[Timing, ...]:
-    """The least-time law, each part between two given times stretched by a factor of its own."""
+def stretched_to(
+    runs: Sequence[RunProblem], least: Sequence[Timing], given: Sequence[Deadline]
+) -> tuple[Timing, ...]:
+    """The least-time law, each part between two given times stretched by a factor of its own.
+
+    Where a given time ends a run, the least-time law is there at the earliest. Inside a run a law may be
+    earlier at a node than the one that is earliest at the end, so the solver has to say.
+    """
+    demands = [demand for run in runs for demand in run.demands]
+    boundaries = set(accumulate(len(run.demands) for run in runs))
     timings: list[Timing] = []
-    passed = 0.0
+    passed, since, waiting = 0.0, 0.0, 0.0
     for deadline in given:
-        part = least[len(timings) : deadline.budget.legs]
-        left, needed = deadline.budget.time - passed, total(part)
-        if left < needed * (1 - AT_MINIMUM / 10):
-            earliest = passed + needed + deadline.dwells
-            message = (
-                f"{deadline.budget.time + deadline.dwells:.6g} s is too early for {deadline.what}: "
-                f"the earliest possible is {earliest:.6g} s, {needed - left:.6g} s later"
-            )
+        legs = slice(len(timings), deadline.budget.legs)
+        left, needed = deadline.budget.time - passed, total(least[legs])
+        fixed = all(demand.duration is not None for demand in demands[legs])
+        if fixed and abs(left - needed) > AT_MINIMUM * needed:
+            message = f"fixed durations put {deadline.what} at {passed + needed + deadline.dwells:.6g} s"
             raise InfeasibleError(Fault(message, deadline.where))
-        timings += [timing.stretched(max(left / needed, 1.0)) for timing in part]
+        waiting += needed
+        if deadline.budget.legs in boundaries:
+            if deadline.budget.time - since < waiting * (1 - AT_MINIMUM / 10):
+                raise InfeasibleError(_too_early(deadline, since + waiting + deadline.dwells))
+            since, waiting = deadline.budget.time, 0.0
+        timings += [timing.stretched(max(left / needed, LEAST_FACTOR)) for timing in least[legs]]
         passed = deadline.budget.time
     return (*timings, *least[len(timings) :])
 
 
-def _on_time(solution: Solution, budgets: Sequence[Budget]) -> Solution:
-    """Times met to the last digit, which the solver meets to its tolerance."""
+def _too_early(deadline: Deadline, earliest: float) -> Fault:
+    asked = deadline.budget.time + deadline.dwells
+    message = (
+        f"{asked:.6g} s is too early for {deadline.what}: "
+        f"the earliest possible is {earliest:.6g} s, {earliest - asked:.6g} s later"
+    )
+    return Fault(message, deadline.where)
+
+
+def _on_time(runs: Sequence[RunProblem], solution: Solution, budgets: Sequence[Budget]) -> Solution:
+    """Times met to the last digit, which the solver meets to its tolerance, by legs that may be stretched."""
+    elastic = [run.elastic for run in runs for _ in run.demands]
     timings: list[Timing] = []
     passed = 0.0
     for budget in budgets:
-        part = solution.timings[len(timings) : budget.legs]
-        factor = (budget.time - passed) / total(part)
-        timings += [timing.stretched(factor) for timing in part]
+        part = list(zip(solution.timings, elastic, strict=True))[len(timings) : budget.legs]
+        free = total([timing for timing, may in part if may])
+        rest = total([timing for timing, may in part if not may])
+        factor = (budget.time - passed - rest) / free if free else 1.0
+        timings += [timing.stretched(factor) if may else timing for timing, may in part]
         passed = budget.time
     return replace(solution, timings=(*timings, *solution.timings[len(timings) :]))

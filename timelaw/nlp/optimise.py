@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 
-from timelaw.easing import DoubleSFamily, Family, Timing, fraction, smoothstep
+from timelaw.easing import DoubleSFamily, Family, PolynomialFamily, Timing, fraction, smoothstep
 from timelaw.easing.physical_limit import physical_limit
 from timelaw.errors import Fault, InfeasibleError
 from timelaw.nlp.couple import couple, deadlines
@@ -13,6 +13,7 @@ from timelaw.route import Route
 from timelaw.schedule import Schedule
 
 SAME_TIME = 2e-6  # relative: the gap that the solver is left with, and where the closed form is the optimum
+SAME_DURATION = 1e-9
 
 Progress = Callable[[str, int, int], None]
 
@@ -78,12 +79,28 @@ def solve_run(problem: RunProblem) -> Solution:
     second = solve_from(program, _second_start(problem))
     if second is not None and second.status is Status.OPTIMAL:
         second = replace(second, status=Status.SECOND_START)
-    candidates = [s for s in (second, first) if s is not None and _plausible(program, s, fallback)]
+    failed = program.elastic and first is None and second is None
+    third = _from_simpler(problem, program) if failed else None
+    candidates = [s for s in (third, second, first) if s is not None and _plausible(program, s, fallback)]
     if program.elastic:
         candidates.append(fallback)
     if not candidates:
         raise InfeasibleError(_why(program, whole))
     return min(candidates, key=lambda s: s.duration)
+
+
+def _from_simpler(problem: RunProblem, program: Program) -> Solution | None:
+    """From the solution of a simpler family, which this one contains: at least as good, or that itself."""
+    from timelaw.nlp.exchange import solve_from
+
+    simpler = problem.family.simpler() if isinstance(problem.family, PolynomialFamily) else None
+    if simpler is None:
+        return None
+    known = solve_run(replace(problem, family=simpler))
+    found = solve_from(program, known.timings)
+    if found is None or found.duration > known.duration:
+        return replace(known, status=Status.SIMPLER)
+    return replace(found, status=Status.SIMPLER) if found.status is Status.OPTIMAL else found
 
 
 def _why(program: Program, start: tuple[Timing, ...]) -> Fault:
@@ -131,11 +148,21 @@ def optimise(
     runs = run_problems(route, schedule, family)
     given = deadlines(route, schedule, goal, total(least.timings) + schedule.dwell_time)
     if goal.minimise == "time" and not given:
+        _check_durations(schedule, least.timings)
         return family, least
     if progress is not None:
         progress("solving all runs together", len(least.solutions), len(least.solutions) + 1)
     solution = couple(runs, least.timings, goal, given)
+    _check_durations(schedule, solution.timings)
     return family, Optimised(solution.timings, (solution,), (0,) * len(runs))
+
+
+def _check_durations(schedule: Schedule, timings: Sequence[Timing]) -> None:
+    """Fixed durations are kept, whatever solved the program."""
+    for demand, timing in zip(schedule.demands, timings, strict=True):
+        if demand.duration is not None and abs(timing.duration / demand.duration - 1) > SAME_DURATION:
+            message = f"{timing.duration:.9g} s came out where {demand.duration:.9g} s are fixed"
+            raise InfeasibleError(Fault(message, "segments"))
 
 
 def _least_within(
@@ -146,7 +173,11 @@ def _least_within(
     progress: Progress | None,
 ) -> tuple[Family, Optimised]:
     """The first family whose least time is near enough to the physical limit, or the fastest one."""
-    limit = sum(physical_limit([schedule.demands[k] for k in run.legs]) for run in schedule.runs(route))
+    limit = 0.0
+    runs = schedule.runs(route)
+    for index, run in enumerate(runs):
+        moving = (index == 0 and any(schedule.start)) or (index == len(runs) - 1 and any(schedule.end))
+        limit += physical_limit([schedule.demands[k] for k in run.legs], moving=moving)
     best: tuple[Family, Optimised] | None = None
     for family in families:
         least = least_time(run_problems(route, schedule, family), progress)

@@ -81,6 +81,11 @@ class Status(Enum):
     CHOSEN = "the double-S profile, as chosen"
     PHYSICAL_LIMIT = "the double-S profile, which the easing contains and no law beats"
     SECOND_START = "solved to optimality from the second start"
+    SIMPLER = "solved from the solution of a simpler easing, after other starts failed"
+    STRETCHED = (
+        "the solver failed on the objective: the least-time law, stretched to the given times, is used; "
+        "try another easing"
+    )
     ACCEPTABLE = (
         "solved to the solver's acceptable tolerance only; the law holds its limits, but may not be least"
     )

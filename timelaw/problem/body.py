@@ -36,6 +36,8 @@ class Limits(Model):
     def _some(self) -> Self:
         if not self.given():
             raise fault(f"at least one of {', '.join(type(self).model_fields)} must be given")
+        if list(self.given()) == ["snap"]:
+            raise fault("snap alone is not enough; limit the velocity, acceleration, jerk or torque too")
         return self
 
     def given(self) -> dict[str, Bounds]:

@@ -13,7 +13,7 @@ from timelaw.problem.units import FREQUENCY
 from timelaw.problem.values import Model, Quaternion, as_tuple, fault, fraction, quantity, tour_or_labels
 
 LatticeName = Literal["16-cell", "tesseract", "24-cell", "600-cell", "120-cell"]
-TourName = Literal["paper", "shortest", "given"]
+TourName = Literal["paper", "shortest", "fewest-stops", "given"]
 Baseline = Literal["quintic", "double-s"]
 MAX_DEGREE = 31
 MAX_INTERVALS = 500
@@ -103,8 +103,45 @@ class Problem(Model):
             raise fault(
                 f"{degree}; continuity {r} at the nodes needs degree {least} or more", "easing", "degree"
             )
-        if self.easing.basis == "double-s" and (r > 2 or self.objective.minimise != "time"):
-            raise fault("a double-s has continuity 2 and the least time only", "easing", "basis")
+        return self
+
+    @model_validator(mode="after")
+    def _double_s_is_rigid(self) -> Self:
+        if self.easing.basis != "double-s":
+            return self
+        times = any(rule.time is not None for rule in self.nodes.at.values())
+        durations = any(rule.duration is not None for rule in self.segments.values())
+        if self.objective.minimise != "time" or times or durations or self.nodes.start or self.nodes.end:
+            raise fault(
+                "a double-s has the least time from rest to rest; it keeps no given times", "easing", "basis"
+            )
+        if self.nodes.continuity > 2 or (self.nodes.continuity == 2 and self.limits.jerk is None):
+            raise fault(
+                "a double-s has continuity 2 where the jerk is limited, else 1; ask for no more",
+                "easing",
+                "basis",
+            )
+        return self
+
+    @model_validator(mode="after")
+    def _effort_is_finite(self) -> Self:
+        what, r, degree = self.objective.minimise, self.nodes.continuity, self.easing.degree
+        least = NEEDS_CONTINUITY.get(what, 1)
+        if r < least:
+            message = f"to minimise {what}, continuity {least} at the nodes is needed, not {r}"
+            raise fault(message, "objective", "minimise")
+        if self.easing.basis == "spline" and degree is not None and degree <= least:
+            message = f"to minimise {what}, a spline of degree {least + 1} or more is needed, not {degree}"
+            raise fault(message, "objective", "minimise")
+        return self
+
+    @model_validator(mode="after")
+    def _end_rates_are_continuous(self) -> Self:
+        for name, rates in (("start", self.nodes.start), ("end", self.nodes.end)):
+            for order, key in ((2, "acceleration"), (3, "jerk")):
+                if rates and getattr(rates, key) and order > self.nodes.continuity:
+                    message = f"the {key} jumps with continuity {self.nodes.continuity}; ask for {order}"
+                    raise fault(message, "nodes", name, key)
         return self
 
     @model_validator(mode="after")

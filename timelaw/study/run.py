@@ -42,7 +42,7 @@ def run_study(
     """
     points = list(study.points())
     for point in points:
-        check(study.base.with_values(point))
+        _check(study, point)
     workers = min(processes or os.cpu_count() or 1, len(points))
     if workers == 1:
         outcomes = []
@@ -59,6 +59,16 @@ def run_study(
             if progress is not None:
                 progress("designing", len(found), len(points))
     return [found[index] for index in range(len(points))]
+
+
+def _check(study: Study, point: dict[str, Any]) -> None:
+    """Whether a point makes a problem file; what is wrong is told at the study's key."""
+    try:
+        check(study.base.with_values(point))
+    except InputError as error:
+        values = ", ".join(f"{key} = {value}" for key, value in point.items())
+        faults = [f"with {values}: {fault.where}: {fault.message}" for fault in error.faults]
+        raise InputError(*(study.source.fault(("vary",), text) for text in faults)) from None
 
 
 def run_point(study: Study, point: dict[str, Any]) -> Outcome:

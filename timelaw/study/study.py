@@ -36,8 +36,7 @@ def _values(value: Any) -> tuple[Any, ...]:
     numbers = np.linspace(float(ends[0].group(1)), float(ends[1].group(1)), steps)
     if unit:
         return tuple(f"{number:.12g} {unit}" for number in numbers)
-    whole = all(float(number).is_integer() for number in numbers)
-    return tuple(int(number) if whole else float(number) for number in numbers)
+    return tuple(int(number) if float(number).is_integer() else float(number) for number in numbers)
 
 
 class StudyModel(Model):
@@ -59,6 +58,7 @@ class Study:
     base: Source
     vary: dict[str, tuple[Any, ...]]
     effort: str
+    source: Source
 
     @property
     def size(self) -> int:
@@ -83,7 +83,14 @@ def read_study(path: Path) -> Study:
     except ValidationError as error:
         raise InputError(*translate(source, error, StudyModel)) from None
     problem = path.parent / model.problem
-    study = Study(model.name, problem, read(read_text(problem), str(problem)), dict(model.vary), model.effort)
+    study = Study(
+        model.name, problem, read(read_text(problem), str(problem)), dict(model.vary), model.effort, source
+    )
+    for one in study.vary:
+        inside = next((other for other in study.vary if other.startswith(f"{one}.")), None)
+        if inside is not None:
+            message = f'"{inside}" is a part of "{one}"; vary one of them'
+            raise InputError(source.fault(("vary", one), message, at_key=True))
     if study.size > MOST_DESIGNS:
         message = f"{study.size} designs; at most {MOST_DESIGNS} are made"
         raise InputError(source.fault(("vary",), message))

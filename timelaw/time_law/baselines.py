@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 
 from timelaw.easing import Timing, smoothstep
 from timelaw.easing import physical_limit as limit
-from timelaw.easing.double_s_easing import fitted_run_timings, rate_bounds
+from timelaw.easing.double_s_easing import fitted_run_timings
 from timelaw.route import Route
 from timelaw.schedule import Demand, Schedule
 from timelaw.time_law.time_law import TimeLaw
@@ -74,11 +74,6 @@ def physical_limit(route: Route, schedule: Schedule, *, stop: bool = False) -> f
         moving = (index == 0 and any(schedule.start)) or (index == len(runs) - 1 and any(schedule.end))
         key = (moving, *(d.key() for d in demands))
         if key not in known:
-            known[key] = _cruise(demands) if moving else limit.physical_limit(demands)
+            known[key] = limit.physical_limit(demands, moving=moving)
         result += known[key]
     return result
-
-
-def _cruise(demands: Sequence[Demand]) -> float:
-    """Time [s] at the velocity limit all along."""
-    return sum(demand.angle / rate_bounds(demand.rows)[0] for demand in demands)

@@ -10,6 +10,8 @@ from timelaw.numerics.quaternion import angle_between
 from timelaw.orientations import OrientationSet
 from timelaw.problem.model import RouteModel
 from timelaw.tours.distance import NEIGHBOUR_TOLERANCE, distances, minimal_distance
+from timelaw.tours.fewest_stops import fewest_stops
+from timelaw.tours.lines import Lines
 from timelaw.tours.shortest import shortest
 
 Order = tuple[int, ...]
@@ -84,10 +86,18 @@ def _shortest(points: OrientationSet, closed: bool) -> Order:
     return shortest(distances(points.quaternions), closed=closed)
 
 
+def _fewest_stops(points: OrientationSet, closed: bool) -> Order:
+    """Of the shortest tours one that goes straight on at the most nodes known."""
+    if points.lattice is None:
+        raise _fault('"fewest-stops" is there for the lattices; use given or a list of labels')
+    return fewest_stops(points.lattice, Lines(points.quaternions), closed=closed)
+
+
 TOURS: dict[str, Callable[[OrientationSet, bool], Order]] = {
     "given": _given,
     "paper": _paper,
     "shortest": _shortest,
+    "fewest-stops": _fewest_stops,
 }
 
 
