@@ -15,8 +15,9 @@ from timelaw.route import route
 from timelaw.schedule import schedule
 from timelaw.time_law import physical_limit
 from timelaw.tours import tour
-from timelaw.tours.fewest_stops import check, search
+from timelaw.tours.fewest_stops import check
 from timelaw.tours.lines import Lines
+from timelaw.tours.run_search import search
 
 SHIPPED = json.loads(files("timelaw.tours").joinpath("data/fewest_stops.json").read_text())
 CASES = [(name, kind) for name, kinds in SHIPPED.items() for kind in kinds]

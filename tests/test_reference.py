@@ -1,17 +1,22 @@
 """The reference problems against closed forms and linear programs, and the committed results."""
 
+import json
 from collections import Counter
+from importlib.resources import files
 from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 from tests.conftest import PROBLEMS, reference
 from tests.oracles import QUINTIC_PEAKS, LinearProgram, smoothstep_duration
 from timelaw import design
 from timelaw.certificate import certify
 from timelaw.certificate.certificate import compare_with_record
+from timelaw.easing.double_s import least_time
 from timelaw.motion.law_file import read_law
+from timelaw.orientations.lattices import lattice
 from timelaw.report import law_rows
 from timelaw.report.reference import replaced, table
 
@@ -118,6 +123,29 @@ def test_ci_runs_the_readmes_test_command():
     command = "python3 -m venv .venv && .venv/bin/pip install -q -e '.[test]' && .venv/bin/pytest\n"
     assert command in README
     assert (Path(__file__).parent.parent / ".ci" / "run").read_text().endswith(command)
+
+
+def test_the_readmes_figures_of_tours():
+    """The same sentence, computed: least time over the runs under 60, 120, 600."""
+    limits = (60 * DEG, 120 * DEG, 600 * DEG)
+    one, two = (least_time(legs * 120 * DEG, *limits) for legs in (1, 2))
+    assert f"{5 * one + 3 * two:.2f} s, `fewest-stops` {one + 5 * two:.2f} s" in README
+    order = json.loads(files("timelaw.tours").joinpath("data/fewest_stops.json").read_text())["600-cell"][
+        "open"
+    ]
+    stops = straight_runs(order, lattice("600-cell"))
+    total = sum(least_time(legs * 72 * DEG, *limits) for legs in stops)
+    assert f"takes {59 * least_time(72 * DEG, *limits):.2f} s, the shipped" in README
+    assert f"{59 - len(stops)} of 58 nodes straight (counting allows 44), {total:.2f} s" in README
+
+
+def straight_runs(order, q):
+    """Lengths of the runs of a tour, by SciPy's rotations."""
+    rotations = Rotation.from_quat(q[order], scalar_first=True)
+    turns = (rotations[:-1].inv() * rotations[1:]).as_rotvec()
+    same = np.linalg.norm(np.diff(turns, axis=0), axis=1) < 1e-9
+    corners = np.flatnonzero(~same) + 1
+    return np.diff([0, *corners, len(turns)])
 
 
 def test_the_readmes_problem_file_is_designed_as_it_stands(tmp_path):
