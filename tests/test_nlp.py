@@ -210,3 +210,18 @@ def test_the_highest_degree_is_held_to_the_last_digit(seed):
     angles, limits, _, _ = random_leg(seed)
     solution = solve(angles, limits, 31, 3)
     assert fraction(demands(angles, limits), solution.timings) <= 1
+
+
+def test_a_solver_that_fails_on_high_degrees_starts_from_a_simpler_easing(monkeypatch):
+    expected = solve((120 * DEG,), ROBOT, 13).duration
+    real = exchange_module.solve
+
+    def only_small(symbols, start, bounds):
+        if len(start) > 10:
+            return Outcome(start, solved=False, acceptable=False, iterations=300)
+        return real(symbols, start, bounds)
+
+    monkeypatch.setattr(exchange_module, "solve", only_small)
+    solution = solve((120 * DEG,), ROBOT, 21)
+    assert solution.status is Status.SIMPLER
+    assert solution.duration == pytest.approx(expected, rel=1e-5)

@@ -90,13 +90,15 @@ def solve_run(problem: RunProblem) -> Solution:
 
 
 def _from_simpler(problem: RunProblem, program: Program) -> Solution | None:
-    """From the solution of a simpler family, which this one contains: at least as good, or that itself."""
+    """From the solution of a simpler family, which this one contains; that itself if it gets no better."""
     from timelaw.nlp.exchange import solve_from
 
     simpler = problem.family.simpler() if isinstance(problem.family, PolynomialFamily) else None
     if simpler is None:
         return None
     known = solve_run(replace(problem, family=simpler))
+    if known.status is Status.CLOSED_FORM:
+        return None
     found = solve_from(program, known.timings)
     if found is None or found.duration > known.duration:
         return replace(known, status=Status.SIMPLER)
