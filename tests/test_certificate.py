@@ -180,6 +180,19 @@ def test_false_claims_are_caught(document, key, value, finding):
     assert finding in " ".join([*in_law, *in_record])
 
 
+def test_where_a_peak_is_may_be_told_otherwise_but_not_how_high_it_is(document):
+    """Of equal peaks rounding decides which one is named: no reason to refuse a file on another machine."""
+
+    def recorded(key, value):
+        changed = copy.deepcopy(document)
+        changed["certificate"]["limits"][2][key] = value
+        return findings(changed)[1]
+
+    assert recorded("time", 7.7) == []
+    assert recorded("segment", "12–11") == []
+    assert recorded("peak", 1.0) == ['the recorded certificate says otherwise about "limits"']
+
+
 def test_a_jump_from_q_to_minus_q_is_found(document):
     """The same orientation, but samples of the quaternion would jump."""
 

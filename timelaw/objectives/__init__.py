@@ -1,6 +1,6 @@
 """Objectives: what the nonlinear program makes least."""
 
 from timelaw.objectives.integral import effort_of
-from timelaw.objectives.objective import EFFORTS, OBJECTIVES, Effort
+from timelaw.objectives.objective import EFFORTS, Effort
 
-__all__ = ["EFFORTS", "OBJECTIVES", "Effort", "effort_of"]
+__all__ = ["EFFORTS", "Effort", "effort_of"]

@@ -15,15 +15,10 @@ from timelaw.schedule import Demand
 
 @dataclass(frozen=True)
 class Effort:
-    """∫ g dt: `integrand(demand, rates)` is g on a leg, `rates[k]` the k-th rate in whatever form.
+    """∫ g dt: `integrand(demand, rates)` is g on a leg, `rates[k]` the k-th rate in whatever form."""
 
-    `power` says how g dt scales: time stretched by c divides the integral by c^power.
-    """
-
-    name: str
     unit: str
     orders: tuple[int, ...]
-    power: int
     integrand: Callable[[Demand, Mapping[int, Any]], Any]
 
 
@@ -34,9 +29,8 @@ def _torque(demand: Demand, rates: Mapping[int, Any]) -> Any:
 
 
 EFFORTS: dict[str, Effort] = {
-    "energy": Effort("energy", "rad²/s³", (2,), 3, lambda _, rates: rates[2] * rates[2]),
-    "jerk": Effort("jerk", "rad²/s⁵", (3,), 5, lambda _, rates: rates[3] * rates[3]),
-    "snap": Effort("snap", "rad²/s⁷", (4,), 7, lambda _, rates: rates[4] * rates[4]),
-    "torque": Effort("torque", "N²·m²·s", (1, 2), 3, _torque),
+    "energy": Effort("rad²/s³", (2,), lambda _, rates: rates[2] * rates[2]),
+    "jerk": Effort("rad²/s⁵", (3,), lambda _, rates: rates[3] * rates[3]),
+    "snap": Effort("rad²/s⁷", (4,), lambda _, rates: rates[4] * rates[4]),
+    "torque": Effort("N²·m²·s", (1, 2), _torque),
 }
-OBJECTIVES = ("time", "peak", *EFFORTS)
