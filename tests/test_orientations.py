@@ -116,7 +116,10 @@ def test_a_table_is_found_beside_the_problem_file(tmp_path):
             "w,x,y,z\n1,0,0,0\n1,0,zero,0\n",
             ':3:1: "zero" is not a number',
         ),
-        ("w,x,y,z\n1,0,0,0\n1,1,0,0\n", ":3:1: the quaternion has norm 1.41421; a unit quaternion is needed"),
+        (
+            "w,x,y,z\n1,0,0,0\n1,1,0,0\n",
+            ":3:1: [1, 1, 0, 0] has norm 1.41421; a unit quaternion [w, x, y, z] is needed",
+        ),
         ("w,x,y,z\n1,0,0,0\nnan,1,0,0\n", ':3:1: "nan" is not a number'),
         ("w,x,y,z,label\n1,0,0,0,a\n0,1,0,0,a\n", ':3:1: label "a" stands in line 2 too'),
         ("w,x,y,z,label\n1,0,0,0,a\n0,1,0,0,\n", ":3:1: no label"),

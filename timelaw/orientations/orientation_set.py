@@ -1,26 +1,38 @@
 """The set of orientations a problem names, whatever it was written as."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
+from timelaw.errors import Fault, InputError, some
+from timelaw.numerics.quaternion import multiply
+from timelaw.orientations.angle_files import READERS, read_angles
+from timelaw.orientations.equivalence import firsts, rotation_group
+from timelaw.orientations.forms import Writing, fault_in, quaternions
 from timelaw.orientations.lattices import lattice
+from timelaw.orientations.spread import fill_distance, separation
 from timelaw.orientations.table import read_table
-from timelaw.problem.model import Orientations
+from timelaw.orientations.uniform import uniform
+from timelaw.problem.route import Orientations
 
 Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
 class OrientationSet:
-    """Unit quaternions (N, 4), read-only, with one label each; `lattice` names the polytope, if any."""
+    """Unit quaternions (N, 4), read-only, with one label each; `lattice` names the polytope, if any.
+
+    `same` pairs labels of orientations that are one up to sign; `notes` say what was left out or merged.
+    """
 
     quaternions: Array
     labels: tuple[str, ...]
     source: str
     lattice: str | None = None
+    same: tuple[tuple[str, str], ...] = ()
+    notes: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         self.quaternions.setflags(write=False)
@@ -33,17 +45,75 @@ def orientations(spec: Orientations, folder: Path) -> OrientationSet:
     """Resolve what the problem file says; file paths are relative to `folder`.
 
     Raises:
-        InputError: the table is missing or wrong.
+        InputError: a row of the list or table is wrong, or too few orientations are left.
     """
+    found = _read(spec, folder)
+    if spec.turned is not None:
+        turned = multiply(multiply(spec.turned.world, found.quaternions), spec.turned.body)
+        turned /= np.linalg.norm(turned, axis=1, keepdims=True)
+        found = replace(found, quaternions=turned, lattice=None)
+    return _merged(found, spec)
+
+
+def _read(spec: Orientations, folder: Path) -> OrientationSet:
+    """The orientations as they are written."""
     if spec.lattice is not None:
-        quaternions = lattice(spec.lattice)
-        return OrientationSet(quaternions, _numbers(len(quaternions)), spec.lattice, spec.lattice)
+        points = lattice(spec.lattice)
+        return OrientationSet(points, _numbers(len(points)), spec.lattice, spec.lattice)
+    if spec.uniform is not None:
+        points, name = uniform(spec.uniform.fill)
+        spread = (
+            f"separation {np.degrees(separation(points)):.2f}°, fill {np.degrees(fill_distance(points)):.2f}°"
+        )
+        note = f"{name or 'super-Fibonacci spiral'} of {len(points)} orientations, {spread}"
+        return OrientationSet(points, _numbers(len(points)), name or "uniform", name, notes=(note,))
+    writing = None
+    if spec.form is not None:
+        writing = Writing(spec.form, spec.sequence or "ZXZ", spec.unit or "rad")
     if spec.file is not None:
-        quaternions, labels = read_table(folder / spec.file)
-        return OrientationSet(quaternions, labels or _numbers(len(quaternions)), spec.file)
-    quaternions = np.array(spec.list, dtype=float)
-    quaternions /= np.linalg.norm(quaternions, axis=1, keepdims=True)
-    return OrientationSet(quaternions, _numbers(len(quaternions)), "list")
+        return _from_file(spec, folder / spec.file, writing)
+    rows = spec.list or ()
+    for index, row in enumerate(rows):
+        wrong = fault_in(row, writing or Writing())
+        if wrong:
+            raise InputError(Fault(wrong, f"route.orientations.list[{index + 1}]"))
+    points = quaternions(rows, writing or Writing())
+    return OrientationSet(points, _numbers(len(points)), "list")
+
+
+def _from_file(spec: Orientations, path: Path, writing: Writing | None) -> OrientationSet:
+    """A table, or the angle file of a texture tool, known by its ending."""
+    source = spec.file or ""
+    if path.suffix.lower() in READERS and writing is None:
+        points, left_out = read_angles(path)
+        notes = (f"{left_out} points of {source} were not indexed and are left out",) if left_out else ()
+        return OrientationSet(points, _numbers(len(points)), source, notes=notes)
+    points, labels = read_table(path, writing, spec.columns)
+    return OrientationSet(points, labels or _numbers(len(points)), source)
+
+
+def _merged(found: OrientationSet, spec: Orientations) -> OrientationSet:
+    """Without those that are the same, if that is asked for; otherwise they are only named."""
+    group = rotation_group(spec.symmetry) if spec.symmetry is not None else None
+    if found.lattice is not None and group is None:
+        return found  # vertices of a polytope are apart
+    first = firsts(found.quaternions, spec.tolerance, group)
+    pairs = tuple((found.labels[j], found.labels[i]) for i, j in enumerate(first) if i != j)
+    if not pairs:
+        return found
+    if spec.duplicates is None and group is None:
+        return replace(found, same=pairs)
+    kept = [i for i, j in enumerate(first) if i == j]
+    if len(kept) < 2:
+        raise InputError(
+            Fault("all orientations are the same; at least two are needed", "route.orientations")
+        )
+    under = f" under {spec.symmetry}" if group is not None else ""
+    listing = some([f"{other} is {one}" for one, other in pairs])
+    note = f"{len(pairs)} of {len(first)} orientations are merged{under}: {listing}"
+    labels = tuple(found.labels[i] for i in kept)
+    points = found.quaternions[kept]
+    return replace(found, quaternions=points, labels=labels, lattice=None, notes=(*found.notes, note))
 
 
 def _numbers(count: int) -> tuple[str, ...]:

@@ -1,50 +1,79 @@
-"""Orientation tables: CSV with a header that names the quaternion's columns."""
+"""Orientation tables: CSV with a header that names the columns, or plain numbers in a named form."""
 
 import csv
 import io
 import re
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
 from timelaw.errors import Fault, InputError
+from timelaw.orientations.forms import FORMS, Writing, fault_in, quaternions
 from timelaw.problem.load import read_text
-from timelaw.problem.values import NORM_TOLERANCE
 
-COLUMNS = (("w", "x", "y", "z"), ("qw", "qx", "qy", "qz"))
 LABEL = "label"
 NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d{1,3})?")
+SEPARATORS = (",", ";", "\t", " ")
 
 Row = tuple[int, list[str]]
 
 
-def read_table(path: Path) -> tuple[NDArray[np.float64], tuple[str, ...] | None]:
-    """Unit quaternions (N, 4) and labels, if there is a column `label`, of a CSV file.
+def read_table(
+    path: Path, writing: Writing | None = None, columns: Sequence[str] | None = None
+) -> tuple[NDArray[np.float64], tuple[str, ...] | None]:
+    """Unit quaternions (N, 4), and labels if there is a column `label`, of a text table.
 
-    Columns are found by the names w, x, y, z or qw, qx, qy, qz in any order, others are left
-    alone. Lines before the header that start with # are comments.
+    Columns are found by name in any order, those of the form (w, x, y, z or qw, qx, qy, qz for
+    quaternions) or the `columns` given; others are left alone. Where a form is given, a table
+    without a header is read from its first columns. Values are separated by commas, semicolons,
+    tabs or blanks. Lines before the header that start with # are comments.
 
     Raises:
         InputError: with file, line and what is needed.
     """
+    form = FORMS[writing.form if writing else "wxyz"]
     rows = _rows(path)
     if not rows:
-        raise _fault("no rows; a header w,x,y,z and a row per orientation are needed", path)
+        needed = ",".join(columns or form.columns[0])
+        raise fault(f"no rows; a header {needed} and a row per orientation are needed", path)
     header = [name.strip().lower() for name in rows[0][1]]
-    wanted = next((c for c in COLUMNS if all(name in header for name in c)), None)
+    if writing and not columns and all(NUMBER.fullmatch(name) for name in header if name):
+        places, labels = list(range(form.width)), None
+    else:
+        places = _places(header, columns, form.columns, path, rows[0][0])
+        rows = rows[1:]
+        labels = _labels(header, rows, path)
+    table = [_numbers(row, places, path, line, writing or Writing()) for line, row in rows]
+    if len(table) < 2:
+        raise fault(f"{len(table)} orientations; at least two are needed", path)
+    return quaternions(table, writing or Writing()), labels
+
+
+def _places(
+    header: list[str],
+    columns: Sequence[str] | None,
+    known: tuple[tuple[str, ...], ...],
+    path: Path,
+    line: int,
+) -> list[int]:
+    """Where the columns are."""
+    options = (tuple(name.strip().lower() for name in columns),) if columns else known
+    if columns and len(columns) != len(known[0]):
+        raise InputError(
+            Fault(f"{len(columns)} names; {len(known[0])} are needed", "route.orientations.columns")
+        )
+    wanted = next((c for c in options if all(name in header for name in c)), None)
     if wanted is None:
-        found = ", ".join(header)
-        message = f"the header has {found}; columns w, x, y, z (or qw, qx, qy, qz) are needed"
-        raise _fault(message, path, rows[0][0])
+        needed = " or ".join(", ".join(option) for option in options[:1])
+        others = "".join(f" (or {', '.join(option)})" for option in options[1:])
+        message = f"the header has {', '.join(header)}; columns {needed}{others} are needed"
+        raise fault(message, path, line)
     repeated = next((name for name in header if name and header.count(name) > 1), None)
     if repeated is not None:
-        raise _fault(f'the header names "{repeated}" more than once', path, rows[0][0])
-    places = [header.index(name) for name in wanted]
-    quaternions = [_quaternion(row, places, path, line) for line, row in rows[1:]]
-    if len(quaternions) < 2:
-        raise _fault(f"{len(quaternions)} orientations; at least two are needed", path)
-    return np.array(quaternions), _labels(header, rows[1:], path)
+        raise fault(f'the header names "{repeated}" more than once', path, line)
+    return [header.index(name) for name in wanted]
 
 
 def _rows(path: Path) -> list[Row]:
@@ -53,29 +82,37 @@ def _rows(path: Path) -> list[Row]:
     comments = 0
     while comments < len(lines) and (not lines[comments].strip() or lines[comments].lstrip().startswith("#")):
         comments += 1
+    first = lines[comments].strip() if comments < len(lines) else ""
     reader = csv.reader(
-        io.StringIO("".join(lines[comments:]), newline=""), skipinitialspace=True, strict=True
+        io.StringIO("".join(lines[comments:]), newline=""),
+        delimiter=next((s for s in SEPARATORS if s in first), ","),
+        skipinitialspace=True,
+        strict=True,
     )
     rows: list[Row] = []
     try:
         rows.extend((comments + reader.line_num, row) for row in reader if any(cell.strip() for cell in row))
     except csv.Error as error:
-        raise _fault(f"not readable as CSV: {error}", path, comments + reader.line_num) from None
+        raise fault(f"not readable as CSV: {error}", path, comments + reader.line_num) from None
     return rows
 
 
-def _quaternion(row: list[str], places: list[int], path: Path, line: int) -> NDArray[np.float64]:
+def _numbers(row: list[str], places: list[int], path: Path, line: int, writing: Writing) -> list[float]:
     if len(row) <= max(places):
-        raise _fault(f"{len(row)} values; {max(places) + 1} are needed", path, line)
-    cells = [row[i].strip() for i in places]
-    wrong = next((cell for cell in cells if not NUMBER.fullmatch(cell)), None)
-    if wrong is not None:
-        raise _fault(f'"{wrong}" is not a number', path, line)
-    q = np.array([float(cell) for cell in cells])
-    norm = float(np.linalg.norm(q))
-    if not abs(norm - 1) <= NORM_TOLERANCE:
-        raise _fault(f"the quaternion has norm {norm:.6g}; a unit quaternion is needed", path, line)
-    return q / norm
+        raise fault(f"{len(row)} values; {max(places) + 1} are needed", path, line)
+    numbers = [number(row[i], path, line) for i in places]
+    wrong = fault_in(numbers, writing)
+    if wrong:
+        raise fault(wrong, path, line)
+    return numbers
+
+
+def number(cell: str, path: Path, line: int) -> float:
+    """A cell as a finite number."""
+    text = cell.strip()
+    if not NUMBER.fullmatch(text):
+        raise fault(f'"{text}" is not a number', path, line)
+    return float(text)
 
 
 def _labels(header: list[str], rows: list[Row], path: Path) -> tuple[str, ...] | None:
@@ -86,12 +123,13 @@ def _labels(header: list[str], rows: list[Row], path: Path) -> tuple[str, ...] |
     for line, row in rows:
         label = row[place].strip() if place < len(row) else ""
         if not label or label in seen:
-            raise _fault(
+            raise fault(
                 f'label "{label}" stands in line {seen[label]} too' if label else "no label", path, line
             )
         seen[label] = line
     return tuple(seen)
 
 
-def _fault(message: str, path: Path, line: int | None = None) -> InputError:
+def fault(message: str, path: Path, line: int | None = None) -> InputError:
+    """What is wrong with a table, and where."""
     return InputError(Fault(message, "", str(path), line, 1 if line is not None else None))

@@ -1,6 +1,6 @@
 """The model of a problem file, version 1: which keys there are and what they may hold."""
 
-from typing import Annotated, Literal, Self, get_args
+from typing import Annotated, Literal, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -8,12 +8,11 @@ from pydantic import BeforeValidator, Field, model_validator
 
 from timelaw.problem.body import Body, Limits
 from timelaw.problem.goal import Goal, read_goal
+from timelaw.problem.route import RouteModel
 from timelaw.problem.rules import Nodes, SegmentRule
 from timelaw.problem.units import FREQUENCY
-from timelaw.problem.values import Model, Quaternion, as_tuple, fault, fraction, quantity, tour_or_labels
+from timelaw.problem.values import Model, as_tuple, fault, fraction, quantity
 
-LatticeName = Literal["16-cell", "tesseract", "24-cell", "600-cell", "120-cell"]
-TourName = Literal["paper", "shortest", "fewest-stops", "given"]
 Baseline = Literal["quintic", "double-s"]
 MAX_DEGREE = 31
 MAX_INTERVALS = 500
@@ -26,31 +25,6 @@ EASING_KEYS = {
 }
 NEEDS_INERTIA = ("torque", "momentum")
 NEEDS_CONTINUITY = {"jerk": 2, "snap": 3}  # where a rate jumps, the next one cannot be bounded
-
-
-class Orientations(Model):
-    """Where the orientations come from: exactly one of the three."""
-
-    lattice: LatticeName | None = None
-    file: str | None = None
-    list: Annotated[tuple[Quaternion, ...] | None, BeforeValidator(as_tuple)] = None
-
-    @model_validator(mode="after")
-    def _one(self) -> Self:
-        given = self.model_fields_set
-        if len(given) != 1 or any(getattr(self, key) is None for key in given):
-            raise fault('give exactly one of "lattice", "file", "list"')
-        if self.list is not None and len(self.list) < 2:
-            raise fault("a list needs at least two orientations")
-        return self
-
-
-class RouteModel(Model):
-    """Which orientations, in which order, and whether the body returns to the first."""
-
-    orientations: Orientations
-    tour: Annotated[TourName | tuple[str, ...], BeforeValidator(tour_or_labels(get_args(TourName)))] = "given"
-    closed: bool = False
 
 
 class EasingModel(Model):

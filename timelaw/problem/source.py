@@ -1,5 +1,6 @@
 """YAML 1.2 text → plain data, with the line and column of every key and value."""
 
+import re
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from copy import deepcopy
@@ -16,6 +17,7 @@ from timelaw.errors import Fault, InputError, TimelawError
 Path = tuple[str | int, ...]
 Place = tuple[int, int]
 
+_ITEM = re.compile(r"\[\d+\]$")
 MOST_VALUES = 500_000  # a few bytes of aliases can stand for more than memory holds
 
 
@@ -63,7 +65,7 @@ class Source:
     def _placed(self, fault: Fault) -> Fault:
         if fault.path or not fault.where:
             return fault
-        return self.fault(tuple(fault.where.split(".")), fault.message)
+        return self.fault(_path(fault.where), fault.message)
 
 
 def dotted(path: Path) -> str:
@@ -72,6 +74,15 @@ def dotted(path: Path) -> str:
     for part in path:
         text += f"[{part + 1}]" if isinstance(part, int) else f".{part}" if text else part
     return text
+
+
+def _path(text: str) -> Path:
+    """What `dotted` makes a text of, as a path again."""
+    parts: list[str | int] = []
+    for part in text.split("."):
+        name, *items = part.split("[")
+        parts += [name, *(int(item.rstrip("]")) - 1 for item in items)] if _ITEM.search(part) else [part]
+    return tuple(parts)
 
 
 def read(text: str, path: str) -> Source:

@@ -30,6 +30,7 @@ TORQUE = Kind("a torque", (0, -2, 2, 1), "0.2 N*m", "N*m")
 MOMENTUM = Kind("an angular momentum", (0, -1, 2, 1), "4 N*m*s", "N*m*s")
 INERTIA = Kind("a moment of inertia", (0, 0, 2, 1), "12 kg*m^2", "kg*m^2")
 TIME = Kind("a time", (0, 1, 0, 0), "2 s", "s")
+ANGLE = Kind("an angle", (1, 0, 0, 0), "20 deg", "rad")
 FREQUENCY = Kind("a frequency", (0, -1, 0, 0), "100 Hz", "1/s")
 
 _UNITS: dict[str, tuple[Fraction | float, Dimension]] = {

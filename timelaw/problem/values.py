@@ -3,10 +3,9 @@
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from difflib import get_close_matches
-from math import hypot
-from typing import Annotated, Any
+from typing import Any
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict
+from pydantic import BaseModel, ConfigDict
 from pydantic_core import PydanticCustomError, core_schema
 
 from timelaw.problem.units import Kind, parse_quantity
@@ -41,16 +40,16 @@ def nearest(given: Any, allowed: Iterable[str], *others: str) -> str:
     return f'{listing}; did you mean "{close[0]}"?' if close else listing
 
 
-def read_quantity(value: Any, kind: Kind, least: float = LEAST) -> float:
-    """A number with its unit, in SI, between `least` and 1e9."""
+def read_quantity(value: Any, kind: Kind, least: float = LEAST, most: float = MOST) -> float:
+    """A number with its unit, in SI, between `least` and `most`."""
     if isinstance(value, bool) or not isinstance(value, str | int | float):
         raise fault(f'expected {kind.name} like "{kind.example}"')
     try:
         number = parse_quantity(str(value), kind)
     except ValueError as error:
         raise fault(str(error)) from None
-    if not least <= number <= MOST:
-        raise fault(f'"{value}" is out of range; {least:g} to {MOST:g} {kind.unit} are allowed')
+    if not least <= number <= most:
+        raise fault(f'"{value}" is out of range; {least:g} to {most:g} {kind.unit} are allowed')
     return number
 
 
@@ -70,9 +69,9 @@ class Reader:
         return {"type": "string", "description": self.kind.name, "examples": [self.kind.example]}
 
 
-def quantity(kind: Kind, least: float = LEAST) -> Reader:
+def quantity(kind: Kind, least: float = LEAST, most: float = MOST) -> Reader:
     """For a field that holds one quantity; `least` 0 or below allows zero and negative values."""
-    return Reader(lambda value: read_quantity(value, kind, least), kind)
+    return Reader(lambda value: read_quantity(value, kind, least, most), kind)
 
 
 def fraction() -> Reader:
@@ -125,18 +124,3 @@ def tour_or_labels(names: tuple[str, ...]) -> Callable[[Any], Any]:
         return tuple(str(label) for label in value)
 
     return check
-
-
-def _read_quaternion(value: Any) -> Any:
-    numbers = isinstance(value, list) and all(
-        isinstance(v, int | float) and not isinstance(v, bool) and not abs(v) > MOST for v in value
-    )
-    if not numbers or len(value) != 4:
-        raise fault("expected a quaternion of four numbers [w, x, y, z]")
-    norm = hypot(*value)
-    if not abs(norm - 1) <= NORM_TOLERANCE:
-        raise fault(f"{value} has norm {norm:.6g}; a unit quaternion [w, x, y, z] is needed")
-    return tuple(float(v) for v in value)
-
-
-Quaternion = Annotated[tuple[float, float, float, float], BeforeValidator(_read_quaternion)]

@@ -8,7 +8,7 @@ import numpy as np
 from timelaw.errors import Fault, InputError, some
 from timelaw.numerics.quaternion import angle_between
 from timelaw.orientations import OrientationSet
-from timelaw.problem.model import RouteModel
+from timelaw.problem.route import RouteModel
 from timelaw.tours.distance import NEIGHBOUR_TOLERANCE, distances, minimal_distance
 from timelaw.tours.fewest_stops import fewest_stops
 from timelaw.tours.lines import Lines

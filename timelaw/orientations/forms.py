@@ -1,0 +1,139 @@
+"""The forms in which orientations are written, each turned into unit quaternions (N, 4), scalar first.
+
+All describe the body's attitude, body to world: r_world = R r_body. SciPy's rotations do the work.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from timelaw.problem.values import NORM_TOLERANCE
+
+Array = NDArray[np.float64]
+MATRIX_COLUMNS = tuple(f"r{i}{j}" for i in "123" for j in "123")
+
+
+@dataclass(frozen=True)
+class Writing:
+    """How a file or list writes its orientations: form, sequence of Euler angles, unit of angles."""
+
+    form: str = "wxyz"
+    sequence: str = "ZXZ"
+    unit: str = "rad"
+
+
+@dataclass(frozen=True)
+class Form:
+    """One form: how many numbers, what a row is called, names of its columns, and its conversion.
+
+    `check` says what is wrong with a row of numbers (width,), or nothing; `convert` takes rows
+    (N, width), angles in rad, and Euler's sequence.
+    """
+
+    name: str
+    columns: tuple[tuple[str, ...], ...]
+    check: Callable[[Array], str]
+    convert: Callable[[Array, str], Array]
+
+    @property
+    def width(self) -> int:
+        """Numbers in a row."""
+        return len(self.columns[0])
+
+
+def fault_in(row: Sequence[float], writing: Writing) -> str:
+    """What is wrong with one row of numbers; empty if nothing is."""
+    form = FORMS[writing.form]
+    return form.check(np.array(row)) if len(row) == form.width else f"expected {form.name}"
+
+
+def quaternions(rows: Sequence[Sequence[float]], writing: Writing) -> Array:
+    """Unit quaternions (N, 4) of rows that have no fault."""
+    form, table = FORMS[writing.form], np.array(rows, dtype=float)
+    if writing.unit == "deg" and writing.form in ("rotation-vector", "euler"):
+        table = np.radians(table)
+    found = form.convert(table, writing.sequence)
+    return np.asarray(found / np.linalg.norm(found, axis=1, keepdims=True))
+
+
+def _of_norm_one(row: Array) -> str:
+    norm = float(np.linalg.norm(row))
+    listing = ", ".join(f"{c:g}" for c in row)
+    return "" if abs(norm - 1) <= NORM_TOLERANCE else f"[{listing}] has norm {norm:.6g}; a unit quaternion"
+
+
+def _unit_wxyz(row: Array) -> str:
+    fault = _of_norm_one(row)
+    return f"{fault} [w, x, y, z] is needed" if fault else ""
+
+
+def _unit_xyzw(row: Array) -> str:
+    fault = _of_norm_one(row)
+    return f"{fault} [x, y, z, w] is needed" if fault else ""
+
+
+def _proper(row: Array) -> str:
+    """A rotation matrix by rows: RᵀR = 1, det R = 1."""
+    matrix = row.reshape(3, 3)
+    error = float(np.max(np.abs(matrix.T @ matrix - np.eye(3))))
+    if error > 2 * NORM_TOLERANCE:
+        return f"not a rotation matrix: RᵀR differs from 1 by {error:.3g}"
+    return "not a rotation matrix: its determinant is -1" if np.linalg.det(matrix) < 0 else ""
+
+
+def _anything(_: Array) -> str:
+    return ""
+
+
+def _from_vectors(rows: Array, _: str) -> Array:
+    from scipy.spatial.transform import Rotation
+
+    return np.asarray(Rotation.from_rotvec(rows).as_quat(scalar_first=True))
+
+
+def _from_matrices(rows: Array, _: str) -> Array:
+    from scipy.spatial.transform import Rotation
+
+    return np.asarray(Rotation.from_matrix(rows.reshape(-1, 3, 3)).as_quat(scalar_first=True))
+
+
+def _from_euler(rows: Array, sequence: str) -> Array:
+    from scipy.spatial.transform import Rotation
+
+    return np.asarray(Rotation.from_euler(sequence, rows).as_quat(scalar_first=True))
+
+
+FORMS: dict[str, Form] = {
+    "wxyz": Form(
+        "a quaternion of four numbers [w, x, y, z]",
+        (("w", "x", "y", "z"), ("qw", "qx", "qy", "qz")),
+        _unit_wxyz,
+        lambda rows, _: rows,
+    ),
+    "xyzw": Form(
+        "a quaternion of four numbers [x, y, z, w]",
+        (("x", "y", "z", "w"), ("qx", "qy", "qz", "qw")),
+        _unit_xyzw,
+        lambda rows, _: rows[:, [3, 0, 1, 2]],
+    ),
+    "rotation-vector": Form(
+        "a rotation vector of three numbers",
+        (("rx", "ry", "rz"), ("vx", "vy", "vz")),
+        _anything,
+        _from_vectors,
+    ),
+    "matrix": Form(
+        "a rotation matrix of nine numbers, row by row",
+        (MATRIX_COLUMNS, tuple(name.replace("r", "m") for name in MATRIX_COLUMNS)),
+        _proper,
+        _from_matrices,
+    ),
+    "euler": Form(
+        "three Euler angles",
+        (("euler1", "euler2", "euler3"), ("phi1", "phi", "phi2"), ("e1", "e2", "e3")),
+        _anything,
+        _from_euler,
+    ),
+}

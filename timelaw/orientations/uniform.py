@@ -1,0 +1,55 @@
+"""Uniform sets by fill distance: a lattice where one is fine enough, else a super-Fibonacci spiral.
+
+Spirals on S³ (Alexa, CVPR 2022): q_i = (√(s/n) sin α, √(s/n) cos α, √(1 - s/n) sin β, √(1 - s/n) cos β),
+s = i + ½, α = 2πs/√2, β = 2πs/ψ, ψ⁴ = ψ + 4. The fill distance is measured on the set itself, not
+taken from a formula.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from timelaw.errors import Fault, InputError
+from timelaw.orientations.lattices import LATTICES, lattice
+from timelaw.orientations.spread import fill_distance
+
+Array = NDArray[np.float64]
+
+PSI = 1.533751168755204288118041  # the root > 1 of x⁴ = x + 4
+MOST = 5000  # what a tour can be searched for
+NEEDED = 60.0  # n ρ³ of the finest spirals, measured: 64 to 80 for ρ of 15° to 60°
+STEP = 1.02  # sets grow by this factor until one is fine enough
+ROUNDING = 1e-9  # of the fill distance: 90° is what the 24-cell has
+
+
+def super_fibonacci(count: int) -> Array:
+    """`count` orientations (count, 4) along a spiral."""
+    s = np.arange(count) + 0.5
+    inner, outer = np.sqrt(s / count), np.sqrt(1 - s / count)
+    alpha, beta = 2 * np.pi * s / np.sqrt(2), 2 * np.pi * s / PSI
+    return np.stack(
+        [inner * np.sin(alpha), inner * np.cos(alpha), outer * np.sin(beta), outer * np.cos(beta)], axis=1
+    )
+
+
+def uniform(fill: float) -> tuple[Array, str | None]:
+    """A set whose fill distance is at most `fill` [rad], and the lattice's name if it is one.
+
+    The smallest of the lattices that do, otherwise the first spiral in a growing series.
+
+    Raises:
+        InputError: it needs more orientations than a tour is searched for.
+    """
+    for name in LATTICES:  # in the order of their sizes
+        if fill_distance(points := lattice(name)) <= fill * (1 + ROUNDING):
+            return points, name
+    count = int(NEEDED / fill**3)
+    while count <= MOST:
+        points = super_fibonacci(count)
+        if fill_distance(points) <= fill:
+            return points, None
+        count = max(count + 1, int(count * STEP))
+    message = (
+        f"{np.degrees(fill):.4g}° needs more than {MOST} orientations, which reach "
+        f"about {np.degrees((NEEDED / MOST) ** (1 / 3)):.0f}°"
+    )
+    raise InputError(Fault(message, "route.orientations.uniform.fill"))

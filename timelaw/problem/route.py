@@ -1,0 +1,146 @@
+"""The part of a problem file about the route: which orientations, in which order."""
+
+from math import hypot, isfinite
+from typing import Annotated, Any, Literal, Self, get_args
+
+from pydantic import BeforeValidator, Field, model_validator
+
+from timelaw.problem.units import ANGLE
+from timelaw.problem.values import MOST, NORM_TOLERANCE, Model, as_tuple, fault, quantity, tour_or_labels
+
+LatticeName = Literal["16-cell", "tesseract", "24-cell", "600-cell", "120-cell"]
+TourName = Literal["paper", "shortest", "fewest-stops", "least-turning", "fastest", "given"]
+SEARCHED = ("shortest", "fewest-stops", "least-turning", "fastest")
+FormName = Literal["wxyz", "xyzw", "rotation-vector", "matrix", "euler"]
+SOURCES = ("lattice", "file", "list", "uniform")
+SAME = 1e-6  # rad; below it two orientations are one, and the axis between them is noise
+LEAST_FILL, LARGEST_FILL = 1e-3, 3.2  # rad; half a turn is as far as orientations get
+NEEDS = {"rotation-vector": ("unit",), "euler": ("sequence", "unit")}
+CUSTOM = ("form", "sequence", "unit", "columns")
+ALIASES = {"form": "as"}
+
+
+class Uniform(Model):
+    """A uniform set whose fill distance, the body's turn to the nearest one, is at most `fill`."""
+
+    fill: Annotated[float, quantity(ANGLE, LEAST_FILL, LARGEST_FILL)]
+
+
+def _numbers(value: Any) -> Any:
+    """A row of numbers, or a matrix as three rows."""
+    flat = [v for row in value for v in row] if _is_matrix(value) else value
+    good = isinstance(flat, list) and all(
+        isinstance(v, int | float) and not isinstance(v, bool) and isfinite(v) and abs(v) <= MOST
+        for v in flat
+    )
+    if not good:
+        raise fault("expected a list of numbers, as in [1, 0, 0, 0]")
+    return tuple(float(v) for v in flat)
+
+
+def _is_matrix(value: Any) -> bool:
+    return isinstance(value, list) and len(value) == 3 and all(isinstance(v, list) for v in value)
+
+
+Numbers = Annotated[tuple[float, ...], BeforeValidator(_numbers)]
+
+
+def _unit(value: Any) -> Any:
+    """Four numbers of norm one."""
+    numbers = _numbers(value)
+    if len(numbers) != 4 or not abs(hypot(*numbers) - 1) <= NORM_TOLERANCE:
+        raise fault("expected a unit quaternion [w, x, y, z]")
+    return numbers
+
+
+class Turned(Model):
+    """Constant rotations: q becomes world ⊗ q ⊗ body, quaternions scalar first."""
+
+    world: Annotated[tuple[float, ...], BeforeValidator(_unit)] = (1.0, 0.0, 0.0, 0.0)
+    body: Annotated[tuple[float, ...], BeforeValidator(_unit)] = (1.0, 0.0, 0.0, 0.0)
+
+
+class Orientations(Model):
+    """Where the orientations come from, exactly one of the four, how they are written, what is done to them.
+
+    `as` names how a file or list writes them, `unit` the unit of its angles, `sequence` the axes of
+    Euler angles: capitals turn with the body, small letters about the fixed axes. `symmetry` is a
+    crystal's rotation group, under which orientations count as the same; `duplicates: merge` keeps
+    the first of those that are the same within `tolerance`.
+    """
+
+    lattice: LatticeName | None = None
+    file: str | None = None
+    list: Annotated[tuple[Numbers, ...] | None, BeforeValidator(as_tuple)] = None
+    uniform: Uniform | None = None
+    form: Annotated[FormName | None, Field(alias="as")] = None
+    sequence: Annotated[str | None, Field(pattern=r"^([XYZ]{3}|[xyz]{3})$")] = None
+    unit: Literal["deg", "rad"] | None = None
+    columns: Annotated[tuple[str, ...] | None, BeforeValidator(as_tuple)] = None
+    turned: Turned | None = None
+    symmetry: str | None = None
+    duplicates: Literal["merge"] | None = None
+    tolerance: Annotated[float, quantity(ANGLE, SAME, 0.2)] = SAME
+
+    @model_validator(mode="after")
+    def _one(self) -> Self:
+        given = [key for key in SOURCES if key in self.model_fields_set]
+        if len(given) != 1 or getattr(self, given[0]) is None:
+            raise fault('give exactly one of "lattice", "file", "list", "uniform"')
+        if self.list is not None and len(self.list) < 2:
+            raise fault("a list needs at least two orientations")
+        return self
+
+    @model_validator(mode="after")
+    def _form_is_whole(self) -> Self:
+        written = self.file is not None or self.list is not None
+        for key in CUSTOM:
+            if getattr(self, key) is not None and not (
+                self.file is not None or (written and key != "columns")
+            ):
+                owners = '"file"' if key == "columns" else '"file" or "list"'
+                raise fault(f"it describes what a {owners} holds", ALIASES.get(key, key))
+        for key in ("unit", "sequence"):
+            needed = key in NEEDS.get(self.form or "", ())
+            if needed and getattr(self, key) is None:
+                raise fault(f'"as: {self.form}" needs "{key}"', "as")
+            if not needed and getattr(self, key) is not None:
+                users = " or ".join(form for form, keys in NEEDS.items() if key in keys)
+                raise fault(f'it belongs to "as: {users}"', key)
+        if self.sequence is not None and any(
+            a == b for a, b in zip(self.sequence, self.sequence[1:], strict=False)
+        ):
+            raise fault(f'"{self.sequence}"; two turns in a row about one axis are one turn', "sequence")
+        return self
+
+
+class RouteModel(Model):
+    """Which orientations, in which order, and whether the body returns to the first.
+
+    `start` and `end` are labels of where a searched tour begins and ends; without them it may begin
+    and end anywhere.
+    """
+
+    orientations: Orientations
+    tour: Annotated[TourName | tuple[str, ...], BeforeValidator(tour_or_labels(get_args(TourName)))] = "given"
+    closed: bool = False
+    start: Annotated[str | None, BeforeValidator(lambda value: _label(value))] = None
+    end: Annotated[str | None, BeforeValidator(lambda value: _label(value))] = None
+
+    @model_validator(mode="after")
+    def _ends_make_sense(self) -> Self:
+        for key in ("start", "end"):
+            if getattr(self, key) is not None and self.tour not in SEARCHED:
+                raise fault(f"it belongs to a tour that is searched: {', '.join(SEARCHED)}", key)
+        if self.end is not None and self.closed:
+            raise fault('a closed tour ends where it starts; leave "end" away', "end")
+        if self.start is not None and self.start == self.end:
+            message = f'"{self.end}" is the start too; a tour that ends where it starts is "closed: true"'
+            raise fault(message, "end")
+        return self
+
+
+def _label(value: Any) -> str:
+    if isinstance(value, bool) or not isinstance(value, str | int):
+        raise fault(f"a label is a number or a text, not {value!r}")
+    return str(value)
