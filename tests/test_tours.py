@@ -72,7 +72,6 @@ def test_given_and_labels_and_closed():
             'the tour visits "1" more than once; set closed: true to return to the start',
         ),
         (f"{LIST}, tour: [1, 3]", "the tour leaves out 2; every orientation must be visited"),
-        (f"{LIST}, tour: shortest", '"shortest" is there for the lattices; use given or a list of labels'),
         (
             f"{LIST}, tour: paper",
             '"paper" is the tour of the lattice 24-cell, not of list; '

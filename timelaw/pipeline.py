@@ -7,6 +7,8 @@ from pathlib import Path
 from timelaw.certificate import Certificate, certify
 from timelaw.easing import Family
 from timelaw.easing.choose import families, within
+from timelaw.easing.clock import Clock
+from timelaw.limits import limits_of
 from timelaw.motion import QuaternionLaw, compose
 from timelaw.nlp import Optimised, optimise
 from timelaw.orientations import OrientationSet, orientations
@@ -64,7 +66,7 @@ def design(path: str | Path, progress: Progress | None = None) -> Design:
 def design_problem(path: Path, problem: Problem, source: Source, progress: Progress | None = None) -> Design:
     """Design the law of a problem that is already read; tables are looked for beside `path`."""
     with source.placed():
-        points, order, way, plan = _lay_out(path, problem)
+        points, order, way, plan = _lay_out(path, problem, progress)
         candidates = families(problem)
         family, solution = optimise(way, plan, candidates, within(problem), problem.objective, progress)
     law = _certified(problem, way, optimised(solution, plan), plan, problem.nodes.continuity)
@@ -85,7 +87,7 @@ class Layout:
     schedule: Schedule
 
 
-def lay_out(path: str | Path) -> Layout:
+def lay_out(path: str | Path, progress: Progress | None = None) -> Layout:
     """Read a problem file as far as its route and what is demanded on it, without designing a law.
 
     Raises:
@@ -93,14 +95,30 @@ def lay_out(path: str | Path) -> Layout:
     """
     problem, source = load(path := Path(path))
     with source.placed():
-        return Layout(path, problem, *_lay_out(path, problem))
+        return Layout(path, problem, *_lay_out(path, problem, progress))
 
 
-def _lay_out(path: Path, problem: Problem) -> tuple[OrientationSet, Tour, Route, Schedule]:
+def _lay_out(
+    path: Path, problem: Problem, progress: Progress | None
+) -> tuple[OrientationSet, Tour, Route, Schedule]:
     points = orientations(problem.route.orientations, path.parent)
-    order = tour(problem.route, points)
+    order = tour(problem.route, points, lambda: _clock(problem, points, progress), progress)
     way = route(points, order)
     return points, order, way, schedule(problem, way)
+
+
+def _clock(problem: Problem, points: OrientationSet, progress: Progress | None) -> Clock:
+    """Times of motions under the general limits; of rules for single nodes only stops count."""
+    rules = problem.nodes.at
+    rest = problem.nodes.dwell > 0
+    resting = {
+        label for label, rule in rules.items() if rule.stop or (rest if rule.dwell is None else rule.dwell)
+    }
+    passable = [
+        i for i, label in enumerate(points.labels) if not (label in resting or (rest and label not in rules))
+    ]
+    limits = limits_of(problem.limits.given(), problem.inertia())
+    return Clock(points.quaternions, limits, passable, progress)
 
 
 def _certified(

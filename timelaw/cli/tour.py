@@ -1,21 +1,26 @@
 """`timelaw tour`: legs, turns, certificate and the time a tour allows, before any law is designed."""
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from timelaw.cli.console import print_json, print_table, say
+from timelaw.cli.console import print_json, print_table, progress, say
 from timelaw.errors import EXIT_DONE
 from timelaw.export.atomic import write_text
 from timelaw.pipeline import Layout, lay_out
 from timelaw.time_law import physical_limit
-from timelaw.tours.report import arc_table, certificate, orientation_csv
+from timelaw.tours import sharpened
+from timelaw.tours.report import arc_table, certificate, merit_data, notes, orientation_csv
+from timelaw.tours.straight import STRAIGHT
 
 
 def run(problem: str, output: str | None, *, table: bool, as_json: bool) -> int:
     """Show the tour of a problem file; returns the exit code."""
-    layout = lay_out(problem)
+    with progress() as report:
+        layout = lay_out(problem, report)
+        layout = replace(layout, tour=sharpened(layout.tour, layout.orientations, report))
     found = _summary(layout)
     _print(layout, found)
     if table:
@@ -51,7 +56,9 @@ def _summary(layout: Layout) -> dict[str, Any]:
         "straight_nodes": route.straight_nodes,
         "runs": [len(run.angles) for run in schedule.runs(route)],
         "is_shortest": layout.tour.is_shortest,
-        "certificate": certificate(layout.tour),
+        "certificate": "; ".join(certificate(layout.tour)),
+        "merits": [merit_data(merit) for merit in layout.tour.merits],
+        "notes": notes(layout.orientations),
         "time_over_runs": physical_limit(route, schedule),
         "time_with_every_stop": physical_limit(route, schedule, stop=True),
     }
@@ -70,11 +77,13 @@ def _print(layout: Layout, found: dict[str, Any]) -> None:
         for leg, node in zip(layout.route.legs, nodes[1:], strict=True)
     ]
     print_table(["leg", "angle [deg]", "axis (body)", "then", "axis turns [deg]"], rows)
-    say(found["certificate"])
-    say(
-        f"{found['straight_nodes']} of {len(nodes) - 2} inner nodes go straight on; "
-        f"the axis turns by {found['total_turning']:.2f}° in all"
-    )
+    for line in (*found["notes"], *certificate(layout.tour)):
+        say(line)
+    if not any(merit.name == STRAIGHT for merit in layout.tour.merits):
+        say(
+            f"{found['straight_nodes']} of {len(nodes) - 2} inner nodes go straight on; "
+            f"the axis turns by {found['total_turning']:.2f}° in all"
+        )
     say(
         f"least time over the runs {found['time_over_runs']:.4f} s, "
         f"with a stop at every node {found['time_with_every_stop']:.4f} s"

@@ -9,6 +9,11 @@ Jerk alone gives T = ∛(32 θ/j), acceleration alone 2√(θ/a), velocity alone
 from dataclasses import dataclass
 from math import inf, sqrt
 
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
 NEGLIGIBLE = 1e-12  # a phase shorter than this part of the whole is rounding, not a phase
 
 
@@ -53,6 +58,21 @@ def least_time(angle: float, w: float, a: float, j: float) -> float:
     """T [s] of the profile over `angle` [rad]; inf stands for a limit that is not there."""
     _, t_a, t_v = ramp_times(angle, w, a, j)
     return 2 * t_a + t_v
+
+
+def least_times(angle: Array, w: Array, a: Array, j: Array) -> Array:
+    """T [s] for many angles and limits at once, arrays of one shape, without a loop; see `ramp_times`."""
+    with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
+        # to a speed limit, and cruising; without a jerk limit t_a = w/a
+        t_j = np.minimum(np.sqrt(w / j), a / j)
+        t_a = np.where(j == inf, w / a, t_j + w / (j * t_j))
+        cruising = np.where((w < inf) & (w * t_a <= angle), angle / w + t_a, inf)
+        # without cruising: as far as jerk alone gets, or up to the acceleration limit
+        t_j = np.cbrt(angle / (2 * j))
+        t_c = a / j
+        held = 2 * (t_c / 2 + np.sqrt(t_c * t_c / 4 + angle / a))
+        turning = np.where(j == inf, 2 * np.sqrt(angle / a), np.where(j * t_j <= a, 4 * t_j, held))
+    return np.where(cruising < inf, cruising, turning)
 
 
 def profile(angle: float, w: float, a: float, j: float) -> list[Phase]:

@@ -1,5 +1,7 @@
 """Limits: what the body's motion may not exceed, on each leg a bound on polynomials in time."""
 
+from timelaw.limits.momentum import Momentum
+from timelaw.limits.rate import Rate
 from timelaw.limits.registry import LIMITS, Limit, binding, limits_of, rows_on
 from timelaw.limits.row import RateRow, Row, TorqueNormRow, TorqueRow
 from timelaw.problem.body import Bounds
@@ -10,6 +12,8 @@ __all__ = [
     "NEEDS_INERTIA",
     "Bounds",
     "Limit",
+    "Momentum",
+    "Rate",
     "RateRow",
     "Row",
     "TorqueNormRow",

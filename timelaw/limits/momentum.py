@@ -1,11 +1,12 @@
 """Limits on the stored angular momentum, as reaction wheels have them."""
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from timelaw.limits.rate import AXES
+from timelaw.limits.rate import AXES, least_quotient
 from timelaw.limits.row import RateRow
 from timelaw.problem.body import Bounds
 
@@ -19,6 +20,7 @@ class Momentum:
     name: str
     bounds: Bounds
     inertia: NDArray[np.float64]
+    order: ClassVar[int] = 1
 
     def on(self, axis: NDArray[np.float64]) -> tuple[RateRow, ...]:
         """Rows on a leg about `axis` (3,)."""
@@ -30,3 +32,10 @@ class Momentum:
             RateRow(self.name, f"{self.name} {name}", UNIT, 1, float(h), bound)
             for name, h, bound in zip(AXES, momentum, self.bounds, strict=True)
         )
+
+    def bounds_on(self, axes: NDArray[np.float64]) -> NDArray[np.float64]:
+        """The bound (...) on |φ'| itself for legs about many axes (..., 3)."""
+        momentum = axes @ self.inertia.T
+        if not isinstance(self.bounds, tuple):
+            return np.asarray(self.bounds / np.linalg.norm(momentum, axis=-1))
+        return least_quotient(self.bounds, momentum)

@@ -35,3 +35,17 @@ class Rate:
             RateRow(self.name, f"{self.name} {name}", unit, self.order, float(n), bound)
             for name, n, bound in zip(AXES, axis, self.bounds, strict=True)
         )
+
+    def bounds_on(self, axes: NDArray[np.float64]) -> NDArray[np.float64]:
+        """The bound (...) on |d^k φ/dt^k| itself for legs about many axes (..., 3)."""
+        if not isinstance(self.bounds, tuple):
+            return np.asarray(self.bounds / np.linalg.norm(axes, axis=-1))
+        return least_quotient(self.bounds, axes)
+
+
+def least_quotient(
+    bounds: tuple[float, float, float], components: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """min_i bound_i/|component_i| over the body axes, shape (..., 3) → (...); zero ones do not bound."""
+    with np.errstate(divide="ignore"):
+        return np.asarray(np.min(np.array(bounds) / np.abs(components), axis=-1))

@@ -21,6 +21,7 @@ from timelaw.report.binding import binding
 from timelaw.report.figures import figures
 from timelaw.report.summary import law_rows, run_rows
 from timelaw.time_law import physical_limit
+from timelaw.tours.report import certificate
 
 PACKAGES = ("casadi", "numpy", "matplotlib")
 RATES = (("omega", "ω", "deg/s"), ("alpha", "α", "deg/s²"), ("jerk", "jerk", "deg/s³"))
@@ -53,6 +54,7 @@ def _context(design: Design, digest: str, pictures: dict[str, str]) -> dict[str,
         "design": design,
         "problem": design.problem,
         "tour": design.tour,
+        "certificate_lines": certificate(design.tour),
         "route": design.route,
         "rows": rows,
         "binding": {

@@ -1,5 +1,6 @@
 """Which orientations lie on one great circle: where a tour along minimal legs can go straight on."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -7,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from timelaw.numerics.quaternion import conjugate, multiply
-from timelaw.tours.distance import NEIGHBOUR_TOLERANCE, distances
+from timelaw.tours.nearest import NEIGHBOUR_TOLERANCE, distances, nearest_neighbours
 
 Array = NDArray[np.float64]
 
@@ -22,13 +23,24 @@ class Lines:
 
     quaternions: Array
 
+    def __len__(self) -> int:
+        return len(self.quaternions)
+
     @cached_property
     def neighbours(self) -> list[list[int]]:
         """Nodes at the minimal distance, of each node."""
-        angles = distances(self.quaternions)
-        np.fill_diagonal(angles, np.inf)
-        near = angles <= np.min(angles) + NEIGHBOUR_TOLERANCE
-        return [list(map(int, np.flatnonzero(row))) for row in near]
+        return nearest_neighbours(distances(self.quaternions))
+
+    @cached_property
+    def axes(self) -> dict[tuple[int, int], Array]:
+        """Unit axis (3,) of the leg from i to each of its neighbours, in body axes."""
+        found = {}
+        for i, nearest in enumerate(self.neighbours):
+            turns = multiply(conjugate(self.quaternions[i]), self.quaternions[nearest])
+            signed = turns[:, 1:] * np.where(turns[:, :1] < 0, -1.0, 1.0)
+            for j, vector in zip(nearest, signed, strict=True):
+                found[i, j] = vector / np.linalg.norm(vector)
+        return found
 
     @cached_property
     def onward(self) -> dict[tuple[int, int], int]:
@@ -44,6 +56,13 @@ class Lines:
                     found[i, j] = k
         return found
 
+    def turn(self, i: int, j: int, k: int) -> float:
+        """Angle [rad] by which the axis turns at j, between the legs from i and to k; 0 straight on."""
+        if self.onward.get((i, j)) == k:
+            return 0.0
+        before, after = self.axes[i, j], self.axes[j, k]
+        return float(np.arctan2(np.linalg.norm(np.cross(before, after)), before @ after))
+
     def line(self, start: int, second: int) -> list[int]:
         """The nodes after `start` on the circle through `second`, once around."""
         nodes, before, here = [second], start, second
@@ -52,10 +71,20 @@ class Lines:
             nodes.append(here)
         return nodes
 
-    def straight(self, stops: tuple[int, ...]) -> int:
+    @cached_property
+    def longest(self) -> int:
+        """Legs of the longest run: a circle of m orientations allows m - 1."""
+        return max(len(self.line(i, j)) for i, nearest in enumerate(self.neighbours) for j in nearest)
+
+    def straight(self, stops: Sequence[int]) -> int:
         """How many inner nodes of a sequence of visits are passed straight on."""
         triples = zip(stops, stops[1:], stops[2:], strict=False)
         return sum(self.onward.get((a, b)) == c for a, b, c in triples)
+
+    def turning(self, stops: Sequence[int]) -> float:
+        """Sum of the turns [rad] of the axis at the inner nodes of a sequence of visits."""
+        triples = zip(stops, stops[1:], stops[2:], strict=False)
+        return sum(self.turn(a, b, c) for a, b, c in triples)
 
     def counting_bound(self, closed: bool) -> int:
         """The most straight inner nodes that counting allows.
@@ -63,8 +92,5 @@ class Lines:
         A run covers at most one circle of m nodes, m - 1 legs; n legs are at least ⌈n/(m - 1)⌉ runs, and
         what joins two runs is no straight node.
         """
-        count = len(self.quaternions)
-        longest = max(len(self.line(i, j)) for i, nearest in enumerate(self.neighbours) for j in nearest)
-        legs = count - 1 + closed
-        runs = -(-legs // longest)
-        return legs - runs
+        legs = len(self) - 1 + closed
+        return legs - -(-legs // self.longest)

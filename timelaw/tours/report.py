@@ -1,26 +1,79 @@
 """What is to be said of a tour: legs and turns, its certificate, the paper's distance table."""
 
+from math import ceil
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from timelaw.errors import some
 from timelaw.orientations import OrientationSet
+from timelaw.tours.fastest import TIME
+from timelaw.tours.merit import Merit
+from timelaw.tours.shortest import MINIMAL
+from timelaw.tours.straight import STRAIGHT, TURNING
 from timelaw.tours.tour import Tour
 
 Array = NDArray[np.float64]
 
+ANGLES = ("length", TURNING)
+WORDS = {  # what it is, what no tour is beyond the bound, what this one is beyond it
+    "length": ("length", "shorter", "too long"),
+    TURNING: ("the axis turns by", "calmer", "too much"),
+    TIME: ("time of motion", "faster", "too slow"),
+}
 
-def certificate(tour: Tour) -> str:
-    """One sentence: the tour is shortest, and why; or how far it may be from it."""
-    length, minimal = np.degrees(tour.length), np.degrees(tour.minimal)
-    bound = tour.legs * minimal
-    if tour.is_shortest:
-        return f"no tour is shorter: {tour.legs} legs × the minimal distance {minimal:.6g}° = {length:.6g}°"
+
+def certificate(tour: Tour) -> list[str]:
+    """One sentence on each merit of a tour: what it is, what no tour can beat, and how that is known."""
+    return [_sentence(tour, merit) for merit in tour.merits]
+
+
+def merit_data(merit: Merit) -> dict[str, Any]:
+    """A merit as plain data; angles in degrees."""
+    scale = np.degrees(1.0) if merit.name in ANGLES else 1.0
+    return {
+        "name": merit.name,
+        "value": merit.value * scale,
+        "bound": merit.bound * scale,
+        "gap": merit.gap,
+        "is_best": merit.is_best,
+        "proof": merit.proof,
+    }
+
+
+def _sentence(tour: Tour, merit: Merit) -> str:
+    nodes = len(tour.stops()) - 2
+    if merit.name == STRAIGHT:
+        text = f"{merit.value:.0f} of {nodes} inner nodes go straight on; by {merit.proof} "
+        return text + (
+            "no tour by minimal legs has more" if merit.is_best else f"{merit.bound:.0f} at most can"
+        )
+    what, comparative, excess = WORDS[merit.name]
+    value, bound = (_quantity(merit, number) for number in (merit.value, merit.bound))
+    if merit.proof == MINIMAL:
+        legs = f"{tour.legs} legs × the minimal distance {np.degrees(tour.minimal):.6g}°"
+        if merit.is_best:
+            return f"no tour is shorter: {legs} = {value}"
+        bound = f"{legs} = {bound}"
+    elif merit.is_best:
+        return f"{what} {value}; no tour is {comparative}: {merit.proof}"
+    else:
+        bound = f"{bound} ({merit.proof})"
+    most = ceil(merit.gap * 1e4) / 1e4  # never said smaller than it is
     return (
-        f"length {length:.6g}°; no tour is shorter than {tour.legs} legs × the minimal distance "
-        f"{minimal:.6g}° = {bound:.6g}°, so this one is at most {length / bound - 1:.2%} too long"
+        f"{what} {value}; no tour is {comparative} than {bound}, so this one is at most {most:.2%} {excess}"
     )
+
+
+def _quantity(merit: Merit, number: float) -> str:
+    return f"{np.degrees(number):.6g}°" if merit.name in ANGLES else f"{number:.4f} s"
+
+
+def notes(points: OrientationSet) -> list[str]:
+    """What there is to say of the orientations: what was left out, merged, or is the same."""
+    same = some([f"{other} is {one}" for one, other in points.same])
+    return [*points.notes, *([f"some orientations are the same up to sign: {same}"] if points.same else [])]
 
 
 def arc_table(points: OrientationSet) -> Array:

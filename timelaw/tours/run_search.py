@@ -1,114 +1,227 @@
-"""Search for tours made of few straight runs: `python -m timelaw.tours.run_search LATTICE RUNS [closed]`.
+"""Tours of minimal legs with few corners, or with little turning: a search that can prove there are none.
 
-What it finds goes into `data/fewest_stops.json` by hand.
+A tour is a sequence of runs; each costs the corner it begins with: 1 when stops are counted, the
+turn of the axis when that is. Depth first over sequences of runs, from one first leg, since the
+lattice's isometries take any leg to any other. What makes it fast:
+
+- A node still to visit can be reached by a run of at most l legs, l from the circles through it that
+  are still free; it needs 1/l of a run, and the sum over all nodes, rounded up, is a bound on the runs.
+- Some reading of a closed tour of cost C and n legs has cost at most C k/n in its first k legs, at
+  every corner; and of an open tour read from one end or the other, the cost up to the run with the
+  middle leg is at most C/2.
+- Second runs that isometries leaving the first one in place take to each other are tried once.
 """
 
-import json
-import sys
-from collections.abc import Sequence
+from collections.abc import Callable
+from dataclasses import dataclass
+from math import lcm
 from random import Random
 
-from timelaw.orientations.lattices import lattice
 from timelaw.tours.lines import Lines
+from timelaw.tours.symmetry import flag_stabiliser
 
-RESTARTS = 100_000
-STEPS = 30_000  # of one attempt, before it starts afresh in another order
+Corner = Callable[[int, int, int], float]
 
-
-def search(
-    lines: Lines, runs: int, *, closed: bool, seed: int, restarts: int = RESTARTS
-) -> tuple[int, ...] | None:
-    """A tour from node 0 made of at most `runs` straight runs, by depth-first search with restarts."""
-    random = Random(seed)
-    for _ in range(restarts):
-        found = _Attempt(lines, closed, random).run(runs)
-        if found is not None:
-            return found
-    return None
+ROUNDING = 1e-9  # of costs
+SPREAD = 16  # how far chance may push a continuation back, in units of one neighbour left over
+PROMISE = 4  # units for a neighbour that is left over where a run ends
+LOSS = 64  # units for a leg less than a run could have
 
 
-class _Attempt:
-    """One depth-first search over sequences of runs, in a random order of equally good continuations.
+@dataclass
+class RunSearch:
+    """All tours of minimal legs whose corners cost at most `budget`.
 
-    A run of l legs on a circle that allows m wastes m - l; `waste` is what may still be wasted.
-    Long runs that end where few neighbours are left come first.
+    `corner(i, j, k)` is what turning at j costs. `random` shuffles equally good continuations,
+    `steps` ends an attempt; without them the search is complete.
     """
 
-    def __init__(self, lines: Lines, closed: bool, random: Random) -> None:
-        self.lines, self.closed, self.random = lines, closed, random
-        count = len(lines.quaternions)
+    lines: Lines
+    closed: bool
+    budget: float
+    corner: Corner
+    random: Random | None = None
+    steps: int | None = None
+    visited_states: int = 0
+
+    def __post_init__(self) -> None:
+        lines, count = self.lines, len(self.lines)
+        self.legs = count - 1 + self.closed
+        self.full = (1 << count) - 1
         self.near = [sum(1 << j for j in nearest) for nearest in lines.neighbours]
-        self.ways = [[lines.line(i, j) for j in nearest] for i, nearest in enumerate(lines.neighbours)]
-        self.longest = max(len(line) for ways in self.ways for line in ways)
-        self.full, self.steps, self.path = (1 << count) - 1, STEPS, [0]
+        self.ways = [[tuple(lines.line(i, j)) for j in nearest] for i, nearest in enumerate(lines.neighbours)]
+        self.unit = lcm(*range(1, lines.longest + 1))
+        self.circles = self._circles()
+        self.costs = {
+            (i, j, k): self.corner(i, j, k)
+            for j, nearest in enumerate(lines.neighbours)
+            for i in nearest
+            for k in nearest
+            if k != i and lines.onward.get((i, j)) != k
+        }
+        self.least = min(self.costs.values())
 
-    def run(self, runs: int) -> tuple[int, ...] | None:
-        legs = len(self.near) - 1 + self.closed
-        return tuple(self.path) if self._extend(0, 1, runs * self.longest - legs) else None
+    def run(self) -> tuple[int, ...] | None:
+        """The first tour found; None if there is none, or `steps` are used up (`finished` tells which)."""
+        first = self.ways[0][0]
+        for length in range(len(first), 0, -1):
+            if not self._in_time(0.0, length):
+                break
+            self.path = [0, *first[:length]]
+            if self._extend(sum(1 << node for node in self.path), 0.0, 1):
+                return tuple(self.path)
+        return None
 
-    def _extend(self, last: int, visited: int, waste: int) -> bool:
-        self.steps -= 1
-        if self.steps < 0:
+    @property
+    def finished(self) -> bool:
+        """Whether the search was complete."""
+        return self.steps is None or self.visited_states <= self.steps
+
+    def _extend(self, visited: int, cost: float, runs: int) -> bool:
+        self.visited_states += 1
+        if not self.finished:
             return False
-        if self.closed and self._comes_home(last, visited, waste):
+        if self.closed and self._comes_home(visited, cost):
             return True
         if visited == self.full:
             return not self.closed
-        if self._stranded(last, visited):
+        needed = self._runs_needed(visited)
+        if needed is None or cost + (needed + self.closed) * self.least > self.budget + ROUNDING:
             return False
-        for _, lost, nodes in sorted(self._continuations(last, visited, waste)):
-            mask = sum(1 << node for node in nodes)
+        last, legs = self.path[-1], len(self.path) - 1
+        for _, price, nodes in self._continuations(visited, cost, first=runs == 1):
             self.path += nodes
-            if self._extend(nodes[-1], visited | mask, waste - lost):
+            if self._extend(visited | sum(1 << node for node in nodes), price, runs + 1):
                 return True
-            del self.path[-len(nodes) :]
-            if self.steps < 0:
+            del self.path[legs + 1 :]
+            if not self.finished:
                 return False
+        assert self.path[-1] == last
         return False
 
-    def _comes_home(self, last: int, visited: int, waste: int) -> bool:
+    def _comes_home(self, visited: int, cost: float) -> bool:
         """Whether one more run visits all that is left and ends at node 0; it is taken."""
         left = len(self.near) - visited.bit_count()
+        before, last = self.path[-2:]
         for line in self.ways[last]:
             new = line[:left]
-            fits = len(line) > left and line[left] == 0 and self.longest - left - 1 <= waste
-            if fits and not any(visited >> node & 1 for node in new):
+            if len(line) <= left or line[left] != 0 or any(visited >> node & 1 for node in new):
+                continue
+            arrival = new[-1] if new else last
+            entry = self.costs.get((before, last, line[0]))
+            closing = self.costs.get((arrival, 0, self.path[1]))
+            if entry is not None and closing is not None and cost + entry + closing <= self.budget + ROUNDING:
                 self.path += new
                 return True
         return False
 
-    def _continuations(self, last: int, visited: int, waste: int) -> list[tuple[float, int, list[int]]]:
-        found = []
-        for line in self.ways[last]:
-            free = next((i for i, node in enumerate(line) if visited >> node & 1), len(line))
-            for length in range(max(1, self.longest - waste), free + 1):
-                nodes, lost = line[:length], self.longest - length
-                after = visited | sum(1 << node for node in nodes)
-                left = (self.near[nodes[-1]] & ~after).bit_count()
-                found.append((64 * lost + left + 4 * self.random.random(), lost, nodes))
-        return found
-
-    def _stranded(self, last: int, visited: int) -> bool:
-        """Whether some node can no longer be reached, or more than one only as the last."""
-        reachable = (self.full & ~visited) | 1 << last | (1 if self.closed else 0)
-        ends = 0
-        for node, near in enumerate(self.near):
-            if visited >> node & 1:
+    def _continuations(
+        self, visited: int, cost: float, *, first: bool
+    ) -> list[tuple[float, float, tuple[int, ...]]]:
+        """(rank, cost, nodes) of all runs that may come next, the most promising first."""
+        before, last = self.path[-2:]
+        legs, found = len(self.path) - 1, []
+        for line in self._second_runs(last) if first else self.ways[last]:
+            price = self.costs.get((before, last, line[0]))
+            if price is None:
                 continue
-            ways = (near & reachable).bit_count()
-            ends += ways == 1
-            if ways == 0 or ends > (0 if self.closed else 1):
-                return True
-        return False
+            after = visited
+            for length, node in enumerate(line, 1):
+                if visited >> node & 1:
+                    break
+                after |= 1 << node
+                if not self._in_time(cost + price, legs + length):
+                    continue
+                left = (self.near[node] & ~after).bit_count()
+                rank = LOSS * (self.lines.longest - length + price / self.least) + PROMISE * left
+                chance = SPREAD * self.random.random() if self.random else 0.0
+                found.append((rank + chance, cost + price, line[:length]))
+        return sorted(found)
+
+    def _in_time(self, cost: float, legs: int) -> bool:
+        """Whether some reading of the tour to be found can have cost this much after so many legs.
+
+        Open: what must still be added until the run with the middle leg begins counts too. Closed:
+        the corner at its start has cost something already.
+        """
+        if self.closed:
+            return (cost + self.least) * self.legs <= self.budget * legs + ROUNDING
+        middle = (self.legs - 1) // 2 + 1
+        runs = -(-max(middle - legs, 0) // self.lines.longest)
+        return runs == 0 or cost + runs * self.least <= self.budget / 2 + ROUNDING
+
+    def _second_runs(self, last: int) -> list[tuple[int, ...]]:
+        """Lines from `last`, one of each class that the isometries fixing the first leg make."""
+        stabiliser = flag_stabiliser(self.lines.quaternions, 0, self.path[1])
+        kept: dict[int, tuple[int, ...]] = {}
+        for line in self.ways[last]:
+            representative = min(nodes[line[0]] for nodes in stabiliser)
+            kept.setdefault(representative, line)
+        return list(kept.values())
+
+    def _runs_needed(self, visited: int) -> int | None:
+        """At least so many more runs; None if some node can no longer be visited."""
+        free = self.full & ~visited
+        open_nodes = free | 1 << self.path[-1] | (1 if self.closed else 0)
+        goals = free | (1 if self.closed else 0)
+        reach = 0
+        for circle, table in self.circles:
+            reach |= table[open_nodes & circle]
+        count = len(self.near)
+        needed, covered = 0, 0
+        for length in range(self.lines.longest, 0, -1):
+            within = reach >> count * (length - 1) & goals
+            needed += (within & ~covered).bit_count() * (self.unit // length)
+            covered |= within
+        if covered != goals or self._stranded(free, open_nodes):
+            return None
+        return -(-needed // self.unit)
+
+    def _stranded(self, free: int, open_nodes: int) -> bool:
+        """Whether more free nodes have a single way to them than the tour has ends left."""
+        once = twice = 0
+        rest = open_nodes
+        while rest:
+            low = rest & -rest
+            near = self.near[low.bit_length() - 1]
+            twice |= once & near
+            once |= near
+            rest ^= low
+        return (free & ~twice).bit_count() > (0 if self.closed else 1)
+
+    def _circles(self) -> list[tuple[int, dict[int, int]]]:
+        """Each great circle as bits, and for each set of its open nodes how long a run can visit each.
+
+        Node v by a run of l legs: bit N (l - 1) + v.
+        """
+        found: dict[int, tuple[int, ...]] = {}
+        for start, ways in enumerate(self.ways):
+            for line in ways:
+                nodes = (start, *line)
+                found.setdefault(sum(1 << node for node in nodes), nodes)
+        return [(mask, self._table(nodes)) for mask, nodes in found.items()]
+
+    def _table(self, nodes: tuple[int, ...]) -> dict[int, int]:
+        size, count, table = len(nodes), len(self.near), {}
+        for choice in range(1 << size):
+            reach = 0
+            for place in range(size):
+                legs = _stretch(choice, place, size)
+                if legs:
+                    reach |= 1 << count * (legs - 1) + nodes[place]
+            table[sum(1 << nodes[p] for p in range(size) if choice >> p & 1)] = reach
+        return table
 
 
-def main(arguments: Sequence[str]) -> None:
-    """Search and print a tour as the data file has it."""
-    name, runs, closed = arguments[0], int(arguments[1]), "closed" in arguments[2:]
-    lines = Lines(lattice(name))
-    order = search(lines, runs, closed=closed, seed=1)
-    print(json.dumps(order))
-
-
-if __name__ == "__main__":
-    main(sys.argv[1:])
+def _stretch(choice: int, place: int, size: int) -> int:
+    """Legs of the longest stretch of chosen places round a circle that contains `place`."""
+    if not choice >> place & 1:
+        return 0
+    if choice == (1 << size) - 1:
+        return size - 1
+    legs = 0
+    for step in (1, -1):
+        at = (place + step) % size
+        while choice >> at & 1:
+            legs, at = legs + 1, (at + step) % size
+    return legs

@@ -1,67 +1,107 @@
-"""Hamiltonian paths and cycles in the nearest-neighbour graph, by Pósa's rotations.
+"""The shortest tours: exact for small sets and for lattices, with a proved gap for all others."""
 
-A path 1 … k whose end has a neighbour i on the path becomes 1 … i, k … i+1: a new end, the same
-nodes. Extending where possible and rotating otherwise finds Hamiltonian paths in well-connected
-graphs in a number of steps that grows little faster than the number of nodes (Pósa 1976). A tour
-along nearest neighbours only is proved shortest by its length alone: legs × minimal distance.
-"""
-
-from random import Random
+from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import NDArray
 
-from timelaw.errors import Fault, InputError
-from timelaw.tours.distance import NEIGHBOUR_TOLERANCE
+from timelaw.tours.ends import Ends
+from timelaw.tours.hamiltonian import hamiltonian, obstacle
+from timelaw.tours.local_search import short_cycle
+from timelaw.tours.lower_bound import held_karp
+from timelaw.tours.merit import Merit, Searched
+from timelaw.tours.nearest import NEIGHBOUR_TOLERANCE, nearest_neighbours
+from timelaw.tours.subsets import MOST_NODES, Move, Start, least
 
-SEED = 20170112
-STEPS_PER_NODE = 400  # rotations before a fresh start; a path is found after about 10 a node
-STARTS = 50
+Array = NDArray[np.float64]
+Progress = Callable[[str, int, int], None]
+
+EXACT = "all tours compared"
+MINIMAL = "legs × the minimal distance"
+TREES = "Held–Karp bound"
 
 
-def shortest(angles: NDArray[np.float64], *, closed: bool) -> tuple[int, ...]:
-    """A tour from node 0 whose legs are all minimal; the same one every time.
+def shortest(angles: Array, ends: Ends, progress: Progress | None = None) -> Searched:
+    """A tour of least total angle, given the rotation angles (N, N) [rad]; the same one every time.
 
-    Raises:
-        InputError: none was found.
+    Where all legs can have the minimal distance, a path or cycle of such legs is found; up to 16
+    nodes all tours are compared; otherwise it is the best found, with a lower bound.
     """
-    near = angles <= float(np.min(angles[~np.eye(len(angles), dtype=bool)])) + NEIGHBOUR_TOLERANCE
-    np.fill_diagonal(near, val=False)
-    neighbours = [list(map(int, np.flatnonzero(row))) for row in near]
-    random = Random(SEED)
-    for _ in range(STARTS):
-        path = _grow(neighbours, random, closed=closed)
-        if path is not None:
-            return tuple(path)
-    kind = "closed tour" if closed else "tour"
-    message = f"found no {kind} whose legs all have the minimal distance; give the order as a list of labels"
-    raise InputError(Fault(message, "route.tour"))
+    count = len(angles)
+    legs = count - 1 + ends.closed
+    minimal = float(np.min(angles[~np.eye(count, dtype=bool)]))
+    neighbours = nearest_neighbours(angles)
+    path = None if obstacle(neighbours, ends) else hamiltonian(neighbours, ends)
+    if path is not None:
+        total = cost(angles, path, closed=ends.closed)
+        return Searched(path, (Merit("length", total, legs * minimal, MINIMAL),))
+    if count <= MOST_NODES:
+        order, total = least_cost(angles, ends)
+        return Searched(order, (Merit("length", total, total, EXACT),))
+    order = short_tour(angles, ends, progress)
+    total = cost(angles, order, closed=ends.closed)
+    return Searched(order, (lower_bound(angles, ends, total, progress),))
 
 
-def _grow(neighbours: list[list[int]], random: Random, *, closed: bool) -> list[int] | None:
-    """One attempt: extend or rotate until all nodes are on the path, and for a cycle until it closes."""
-    count = len(neighbours)
-    path, place = [0], {0: 0}
-    for _ in range(STEPS_PER_NODE * count):
-        end = path[-1]
-        if len(path) == count and (not closed or 0 in neighbours[end]):
-            return path
-        fresh = [n for n in neighbours[end] if n not in place]
-        if fresh:
-            node = _pick(fresh, random)
-            place[node] = len(path)
-            path.append(node)
-            continue
-        others = [n for n in neighbours[end] if n != path[-2]]
-        if not others:
-            return None
-        turn = place[_pick(others, random)] + 1
-        path[turn:] = path[turn:][::-1]
-        for i in range(turn, len(path)):
-            place[path[i]] = i
-    return None
+def lower_bound(angles: Array, ends: Ends, length: float, progress: Progress | None = None) -> Merit:
+    """A tour's length beside the best bound known for tours with these ends: exact for small sets."""
+    count = len(angles)
+    minimal = (count - 1 + ends.closed) * float(np.min(angles[~np.eye(count, dtype=bool)]))
+    if length <= minimal * (1 + NEIGHBOUR_TOLERANCE):
+        return Merit("length", length, minimal, MINIMAL)
+    if count <= MOST_NODES:
+        return Merit("length", length, least_cost(angles, ends)[1], EXACT)
+    return Merit("length", length, max(held_karp(angles, ends, length, progress), minimal), TREES)
 
 
-def _pick(items: list[int], random: Random) -> int:
-    """A random item by `random()` alone, the one method whose sequence Python promises to keep."""
-    return items[int(random.random() * len(items))]
+def cost(costs: Array, order: tuple[int, ...], *, closed: bool) -> float:
+    """Sum of the costs (N, N) of the legs of a tour."""
+    stops = [*order, order[0]] if closed else list(order)
+    return float(np.sum(costs[stops[:-1], stops[1:]]))
+
+
+def least_cost(costs: Array, ends: Ends) -> tuple[tuple[int, ...], float]:
+    """The cheapest tour of at most 16 nodes, and its cost."""
+    count = len(costs)
+    moves = [Move(i, j, (j,), float(costs[i, j])) for i in range(count) for j in range(count) if i != j]
+    found = least(count, count, moves, *places(count, ends))
+    assert found is not None  # every order is a tour
+    return opened(found.nodes, closed=ends.closed), found.cost
+
+
+def places(count: int, ends: Ends) -> tuple[list[Start], list[int]]:
+    """Where the moves of a tour may start, and at which node they may end."""
+    if ends.closed:
+        first = ends.start or 0
+        return [Start(first, None)], [first]
+    starts = range(count) if ends.start is None else [ends.start]
+    return [Start(i, i) for i in starts], [ends.end] if ends.end is not None else list(range(count))
+
+
+def opened(nodes: tuple[int, ...], *, closed: bool) -> tuple[int, ...]:
+    """The order of visits from the nodes as moves visit them: a closed tour visits its first node last."""
+    return nodes[-1:] + nodes[:-1] if closed else nodes
+
+
+def short_tour(costs: Array, ends: Ends, progress: Progress | None = None) -> tuple[int, ...]:
+    """A cheap tour of any size.
+
+    An open tour is a closed one through a further node, at no cost from the ends: from all nodes, or
+    only from those given, the others at a cost that no tour pays twice.
+    """
+    count = len(costs)
+    if ends.closed:
+        cycle = short_cycle(costs, progress)
+        first = cycle.index(ends.start or 0)
+        return tuple(cycle[first:] + cycle[:first])
+    given = [end for end in (ends.start, ends.end) if end is not None]
+    wide = np.zeros((count + 1, count + 1))
+    wide[:count, :count] = costs
+    if given:
+        wide[count, :count] = wide[:count, count] = float(np.sum(np.max(costs, axis=1)))
+        wide[count, given] = wide[given, count] = 0.0
+    cycle = short_cycle(wide, progress)
+    gate = cycle.index(count)
+    path = tuple(cycle[gate + 1 :] + cycle[:gate])
+    backwards = path[-1] == ends.start or path[0] == ends.end or (not given and path[0] > path[-1])
+    return path[::-1] if backwards else path

@@ -1,22 +1,27 @@
 """From what the problem file says to an order of visits, and how good that order is."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from timelaw.errors import Fault, InputError, some
 from timelaw.numerics.quaternion import angle_between
 from timelaw.orientations import OrientationSet
-from timelaw.problem.route import RouteModel
-from timelaw.tours.distance import NEIGHBOUR_TOLERANCE, distances, minimal_distance
-from timelaw.tours.fewest_stops import fewest_stops
+from timelaw.problem.route import SEARCHED, RouteModel
+from timelaw.tours.ends import Ends, ends
+from timelaw.tours.fastest import Clock, fastest
 from timelaw.tours.lines import Lines
-from timelaw.tours.shortest import shortest
+from timelaw.tours.merit import Merit, Searched
+from timelaw.tours.nearest import NEIGHBOUR_TOLERANCE, distances, minimal_distance
+from timelaw.tours.shortest import MINIMAL, lower_bound, shortest
+from timelaw.tours.straight import STRAIGHT, TURNING, straightest
 
 Order = tuple[int, ...]
+Progress = Callable[[str, int, int], None]
 
 PAPER_TOUR = (1, 12, 11, 3, 8, 10, 2, 7, 9, 6, 5, 4)
+MOST_SEARCHED = 5000  # orientations; a search holds all distances between them
 
 
 @dataclass(frozen=True)
@@ -25,13 +30,15 @@ class Tour:
 
     A closed tour goes back to its first orientation; the return leg is not repeated in `order`.
     `length` is the sum of the body's rotation angles [rad], `minimal` the least angle between any
-    two orientations: `length` = legs × `minimal` proves that no tour is shorter.
+    two orientations: `length` = legs × `minimal` proves that no tour is shorter. `merits` say what
+    is proved of it.
     """
 
     order: Order
     closed: bool
     length: float
     minimal: float
+    merits: tuple[Merit, ...]
 
     @property
     def legs(self) -> int:
@@ -40,64 +47,131 @@ class Tour:
 
     @property
     def is_shortest(self) -> bool:
-        """Whether every leg has the minimal distance, which proves the tour shortest."""
-        return self.length <= self.legs * (self.minimal + NEIGHBOUR_TOLERANCE)
+        """Whether it is proved that no tour with these ends is shorter."""
+        return next(merit for merit in self.merits if merit.name == "length").is_best
 
     def stops(self) -> Order:
         """Indices with the first one repeated at the end of a closed tour."""
         return self.order + self.order[:1] if self.closed else self.order
 
 
-def tour(spec: RouteModel, points: OrientationSet) -> Tour:
-    """The order of visits that the problem asks for.
+@dataclass(frozen=True)
+class Wanted:
+    """What a search is given: the set, the ends of the tour, and a clock for those that need one."""
+
+    points: OrientationSet
+    ends: Ends
+    clock: Callable[[], Clock] | None = None
+    progress: Progress | None = None
+
+
+def tour(
+    spec: RouteModel,
+    points: OrientationSet,
+    clock: Callable[[], Clock] | None = None,
+    progress: Progress | None = None,
+) -> Tour:
+    """The order of visits that the problem asks for; `clock` times motions, for the fastest.
 
     Raises:
         InputError: an unknown label, a repeated or missing one, or a tour the set does not have.
     """
-    order = (
-        _by_labels(spec.tour, points)
-        if isinstance(spec.tour, tuple)
-        else TOURS[spec.tour](points, spec.closed)
-    )
-    visits = points.quaternions[list(order + order[:1] if spec.closed else order)]
+    wanted = Wanted(points, ends(spec, points), clock, progress)
+    if isinstance(spec.tour, tuple):
+        searched = Searched(_by_labels(spec.tour, points))
+    else:
+        if spec.tour in SEARCHED:
+            _refuse_what_cannot_be_searched(points)
+        searched = TOURS[spec.tour](wanted)
+    visits = points.quaternions[list(searched.order + searched.order[:1] if spec.closed else searched.order)]
     length = float(np.sum(angle_between(visits[:-1], visits[1:])))
-    return Tour(order, spec.closed, length, minimal_distance(points.quaternions))
+    minimal = minimal_distance(points.quaternions)
+    merits = searched.merits
+    if not any(merit.name == "length" for merit in merits):
+        legs = len(points) - 1 + spec.closed
+        short = length <= legs * (minimal + NEIGHBOUR_TOLERANCE)
+        merits = (Merit("length", length, length if short else legs * minimal, MINIMAL), *merits)
+    return Tour(searched.order, spec.closed, length, minimal, merits)
 
 
-def _given(points: OrientationSet, _closed: bool) -> Order:
+def sharpened(found: Tour, points: OrientationSet, progress: Progress | None = None) -> Tour:
+    """The tour with the best bound on its length that can be computed, for tours with free ends."""
+    if found.is_shortest or len(points) > MOST_SEARCHED or len(points) < 3:
+        return found
+    bound = lower_bound(distances(points.quaternions), Ends(found.closed), found.length, progress)
+    known = next(merit for merit in found.merits if merit.name == "length")
+    if known.proof != MINIMAL or bound.bound <= known.bound:
+        return found
+    return replace(found, merits=tuple(bound if merit is known else merit for merit in found.merits))
+
+
+def _refuse_what_cannot_be_searched(points: OrientationSet) -> None:
+    if points.same:
+        listing = some([f"{other} is {one}" for one, other in points.same])
+        raise InputError(
+            Fault(f"some orientations are the same: {listing}; add duplicates: merge", "route.orientations")
+        )
+    if len(points) > MOST_SEARCHED:
+        raise _fault(f"a tour is searched for {MOST_SEARCHED} orientations at most, not for {len(points)}")
+    if len(points) < 3:
+        raise _fault("two orientations have one tour only; use given")
+
+
+def _given(wanted: Wanted) -> Searched:
     """The order in which the orientations are listed."""
-    return tuple(range(len(points)))
+    return Searched(tuple(range(len(wanted.points))))
 
 
-def _paper(points: OrientationSet, _closed: bool) -> Order:
+def _paper(wanted: Wanted) -> Searched:
     """The tour printed in [MMB2017] for the 24-cell."""
-    if points.lattice != "24-cell":
+    if wanted.points.lattice != "24-cell":
         raise _fault(
-            f'"paper" is the tour of the lattice 24-cell, not of {points.source}; '
+            f'"paper" is the tour of the lattice 24-cell, not of {wanted.points.source}; '
             "use given, shortest or a list of labels"
         )
-    return tuple(i - 1 for i in PAPER_TOUR)
+    return Searched(tuple(i - 1 for i in PAPER_TOUR))
 
 
-def _shortest(points: OrientationSet, closed: bool) -> Order:
-    """A Hamiltonian path or cycle whose legs all have the minimal distance."""
-    if points.lattice is None:
-        raise _fault('"shortest" is there for the lattices; use given or a list of labels')
-    return shortest(distances(points.quaternions), closed=closed)
+def _shortest(wanted: Wanted) -> Searched:
+    """Of least total angle."""
+    return shortest(distances(wanted.points.quaternions), wanted.ends, wanted.progress)
 
 
-def _fewest_stops(points: OrientationSet, closed: bool) -> Order:
-    """Of the shortest tours one that goes straight on at the most nodes known."""
-    if points.lattice is None:
-        raise _fault('"fewest-stops" is there for the lattices; use given or a list of labels')
-    return fewest_stops(points.lattice, Lines(points.quaternions), closed=closed)
+def _fewest_stops(wanted: Wanted) -> Searched:
+    """Of the tours by minimal legs one that goes straight on at the most nodes."""
+    return _straightest(wanted, STRAIGHT)
 
 
-TOURS: dict[str, Callable[[OrientationSet, bool], Order]] = {
+def _least_turning(wanted: Wanted) -> Searched:
+    """Of the tours by minimal legs one whose axis turns least."""
+    return _straightest(wanted, TURNING)
+
+
+def _straightest(wanted: Wanted, goal: str) -> Searched:
+    points = wanted.points
+    return straightest(Lines(points.quaternions), wanted.ends, goal, points.labels, points.lattice)
+
+
+def _fastest(wanted: Wanted) -> Searched:
+    """Of least total time under the limits; a lattice's straightest tours are where a search begins."""
+    if wanted.clock is None:
+        raise _fault("the fastest tour needs limits")
+    known: list[Order] = []
+    for search in (_fewest_stops, _least_turning) if wanted.points.lattice else ():
+        try:
+            known.append(search(wanted).order)
+        except InputError:  # the lattice has no such tour with these ends; the search does without
+            continue
+    return fastest(wanted.clock(), wanted.ends, known, wanted.progress)
+
+
+TOURS: dict[str, Callable[[Wanted], Searched]] = {
     "given": _given,
     "paper": _paper,
     "shortest": _shortest,
     "fewest-stops": _fewest_stops,
+    "least-turning": _least_turning,
+    "fastest": _fastest,
 }
 
 

@@ -26,3 +26,10 @@ def minimal_distance(quaternions: Array) -> float:
         row, column = np.unravel_index(np.argmax(cosines), cosines.shape)
         least = min(least, float(angle_between(quaternions[rows[row]], quaternions[column])))
     return least
+
+
+def nearest_neighbours(angles: Array) -> list[list[int]]:
+    """Of each node, the nodes at the minimal distance, given the angles (N, N) [rad]."""
+    apart = angles + np.diag(np.full(len(angles), np.inf))
+    near = apart <= np.min(apart) + NEIGHBOUR_TOLERANCE
+    return [list(map(int, np.flatnonzero(row))) for row in near]

@@ -1,0 +1,269 @@
+"""Fewest stops and least turning: shipped tours checked without the search's code, bounds, counts, the search."""
+
+import json
+from collections import Counter
+from importlib.resources import files
+from pathlib import Path
+from random import Random
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from tests.conftest import problem
+from timelaw.errors import InputError
+from timelaw.orientations import orientations
+from timelaw.orientations.lattices import lattice
+from timelaw.route import route
+from timelaw.schedule import schedule
+from timelaw.time_law import physical_limit
+from timelaw.tours import tour
+from timelaw.tours.counts import by_straight_nodes, cycles, main, paths
+from timelaw.tours.lines import Lines
+from timelaw.tours.run_search import RunSearch
+from timelaw.tours.straight import check
+
+SHIPPED = json.loads(files("timelaw.tours").joinpath("data/straight.json").read_text())
+CASES = [
+    (name, kind, goal, index)
+    for name, kinds in SHIPPED.items()
+    for kind, goals in kinds.items()
+    for goal in ("fewest-stops", "least-turning")
+    for index in range(len(goals[goal]))
+]
+
+
+def turns(order, q, closed):
+    """By SciPy's rotations: angles [deg] of the legs, and between their axes at the inner nodes."""
+    stops = [*order, order[0]] if closed else list(order)
+    rotations = Rotation.from_quat(q[stops], scalar_first=True)
+    vectors = (rotations[:-1].inv() * rotations[1:]).as_rotvec(degrees=True)
+    angles = np.linalg.norm(vectors, axis=1)
+    cosines = np.sum(vectors[:-1] * vectors[1:], axis=1) / angles[:-1] / angles[1:]
+    return angles, np.degrees(np.arccos(np.clip(cosines, -1, 1)))
+
+
+def judged(order, name, closed):
+    """(straight nodes, turning [deg]) of a tour that visits all vertices once by minimal legs."""
+    q = lattice(name)
+    assert sorted(order) == list(range(len(q)))
+    angles, corners = turns(order, q, closed)
+    np.testing.assert_allclose(
+        angles, np.degrees(2 * np.arccos(np.max(np.abs(q @ q.T) - 2 * np.eye(len(q))))), rtol=1e-9
+    )
+    return int(np.sum(corners < 1e-4)), float(np.sum(corners))
+
+
+def searched(spec):
+    made = problem(f"route: {{{spec}}}")
+    points = orientations(made.route.orientations, Path())
+    return tour(made.route, points), points
+
+
+# name, closed, goal: straight nodes, turning [deg]
+BEST = {
+    ("24-cell", False, "fewest-stops"): (5, 469.47),
+    ("24-cell", True, "fewest-stops"): (6, None),
+    ("24-cell", False, "least-turning"): (4, 423.17),
+    ("600-cell", False, "fewest-stops"): (42, 1493.13),
+    ("600-cell", True, "fewest-stops"): (42, None),
+    ("600-cell", False, "least-turning"): (40, 1194.96),
+    ("tesseract", False, "least-turning"): (0, 6 * 70.5288),
+    ("120-cell", False, "least-turning"): (0, 298 * 70.5288),
+    ("120-cell", True, "fewest-stops"): (0, 299 * 70.5288),
+    ("16-cell", True, "fewest-stops"): (0, 3 * 90),
+}
+
+
+@pytest.mark.parametrize("case", BEST, ids=str)
+def test_the_straightest_tours(case):
+    name, closed, goal = case
+    found, _ = searched(f"orientations: {{lattice: {name}}}, tour: {goal}, closed: {str(closed).lower()}")
+    straight, turning = judged(found.order, name, closed)
+    most, least = BEST[case]
+    assert straight == most
+    if least is not None:
+        assert turning == pytest.approx(least, abs=0.01)
+    merits = {merit.name: merit for merit in found.merits}
+    assert merits["straight nodes"].value == straight
+    assert np.degrees(merits["turning"].value) == pytest.approx(turning, abs=1e-4)
+    assert merits["straight nodes"].bound >= straight
+    assert np.degrees(merits["turning"].bound) <= turning + 1e-6
+    assert found.is_shortest
+    if goal == "fewest-stops" or name != "600-cell":
+        best = merits["straight nodes" if goal == "fewest-stops" else "turning"]
+        assert best.is_best
+
+
+@pytest.mark.parametrize(("name", "kind", "goal", "index"), CASES)
+def test_shipped_tours(name, kind, goal, index):
+    order = SHIPPED[name][kind][goal][index]
+    straight, _ = judged(order, name, kind == "closed")
+    assert straight <= SHIPPED[name][kind]["most straight nodes"]
+    if goal == "fewest-stops":
+        assert straight == SHIPPED[name][kind]["most straight nodes"]
+
+
+def test_the_open_tour_of_the_600_cell_is_17_runs():
+    """59 legs; a run has at most four, so 16 runs or fewer would leave at most five legs unused in all."""
+    found, _ = searched("orientations: {lattice: 600-cell}, tour: fewest-stops")
+    _, corners = turns(found.order, lattice("600-cell"), False)
+    lengths = np.diff([0, *(np.flatnonzero(corners > 1e-4) + 1), 59])
+    assert len(lengths) == 17
+    assert Counter(lengths.tolist())[4] >= 10
+
+
+@pytest.mark.parametrize("start", [1, 7, 60])
+@pytest.mark.parametrize("end", [None, 2, 33, 59])
+def test_tours_of_the_600_cell_begin_and_end_where_they_should(start, end):
+    spec = f"orientations: {{lattice: 600-cell}}, tour: fewest-stops, start: {start}"
+    found, points = searched(spec + (f", end: {end}" if end else ""))
+    assert points.labels[found.order[0]] == str(start)
+    assert end is None or points.labels[found.order[-1]] == str(end)
+    assert judged(found.order, "600-cell", False)[0] == 42
+
+
+def test_end_alone_and_closed_from_a_start():
+    found, points = searched("orientations: {lattice: 600-cell}, tour: fewest-stops, end: 9")
+    assert points.labels[found.order[-1]] == "9"
+    assert judged(found.order, "600-cell", False)[0] == 42
+    closed, points = searched(
+        "orientations: {lattice: 600-cell}, tour: fewest-stops, closed: true, start: 31"
+    )
+    assert points.labels[closed.order[0]] == "31"
+    assert judged(closed.order, "600-cell", True)[0] == 42
+
+
+def test_the_24_cell_between_two_given_nodes():
+    found, points = searched("orientations: {lattice: 24-cell}, tour: fewest-stops, start: 3, end: 8")
+    assert [points.labels[found.order[0]], points.labels[found.order[-1]]] == ["3", "8"]
+    judged(found.order, "24-cell", False)
+    assert {m.name: m for m in found.merits}["straight nodes"].is_best
+
+
+@pytest.mark.parametrize("name", ["16-cell", "tesseract", "120-cell"])
+def test_some_lattices_have_no_straight_nodes_at_all(name):
+    assert not Lines(lattice(name)).onward
+
+
+def test_the_fewest_stops_save_what_they_should():
+    for name, total in (("24-cell", 26.2), ("600-cell", 82.7)):
+        made = problem(f"route: {{orientations: {{lattice: {name}}}, tour: fewest-stops}}")
+        points = orientations(made.route.orientations, Path())
+        way = route(points, tour(made.route, points))
+        assert physical_limit(way, schedule(made, way)) == pytest.approx(total, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        (lambda order: order[:-1], "every node once"),
+        (lambda order: [*order[:-1], order[0]], "every node once"),
+        (sorted, "not minimal"),
+    ],
+)
+def test_what_is_no_such_tour_is_refused(change, message):
+    lines = Lines(lattice("600-cell"))
+    with pytest.raises(ValueError, match=message):
+        check(change(SHIPPED["600-cell"]["open"]["fewest-stops"][0]), lines, closed=False)
+
+
+CROSS = "orientations: {list: [[1,0,0,0], [0.96,0.28,0,0], [0.8,0.6,0,0], [0,0,1,0]]}"
+STAR = "[[1,0,0,0],[0.8,0.6,0,0],[0.8,-0.3,0.519615242270663,0],[0.8,-0.3,-0.519615242270663,0]]"
+
+
+@pytest.mark.parametrize(
+    ("spec", "message"),
+    [
+        (
+            f"{CROSS}, tour: fewest-stops",
+            "there are orientations with no neighbour at the minimal distance: 3, 4",
+        ),
+        (
+            f"orientations: {{list: {STAR}}}, tour: least-turning",
+            "there are orientations with one neighbour only, where all but the ends need two: 2, 3, 4",
+        ),
+        (
+            f"orientations: {{list: {STAR}}}, tour: fewest-stops, closed: true",
+            "there are orientations with one neighbour only, where a closed tour needs two: 2, 3, 4",
+        ),
+        (
+            "orientations: {lattice: tesseract}, tour: fewest-stops, start: 1, end: 4",
+            "comparing all shows that there is none",
+        ),
+    ],
+)
+def test_sets_without_a_tour_by_minimal_legs(spec, message):
+    with pytest.raises(InputError) as error:
+        searched(spec)
+    goal = spec.split("tour: ")[1].split(",")[0]
+    assert str(error.value) == (
+        f'route.tour: "{goal}" needs a tour whose legs all have the minimal distance, and {message}; '
+        'use "shortest" or "fastest"'
+    )
+
+
+def test_counts_of_the_24_cell():
+    """SOURCES: 4 848 and 86 784 by table 1; 1 257 984 per node and 15 095 808 on SO(3); 384 with five straight."""
+    lines = Lines(lattice("24-cell"))
+    near = lines.neighbours
+    assert paths(near, 0) == 1_257_984
+    assert 12 * paths(near, 5) == 15_095_808
+    table = [
+        [j for j in range(12) if abs(lattice("24-cell")[i] @ lattice("24-cell")[j] - 0.5) < 1e-9]
+        for i in range(12)
+    ]
+    assert paths(table, 0) == 4_848
+    assert sum(paths(table, i) for i in range(12)) == 86_784
+    straight = by_straight_nodes(lines, 0, closed=False)
+    assert straight[5] == 384
+    assert sum(straight.values()) == 1_257_984
+    # of the 96 closed ones with six, node 1 is a corner of half, and straight in the others
+    closed = by_straight_nodes(lines, 0, closed=True)
+    assert closed[6] == 48
+    assert sum(closed.values()) == cycles(near, 0)
+
+
+def test_counts_of_the_tesseract_by_hand(capsys):
+    """Its graph is K4,4: 8 · 4! · 4!/2 … from one node 4 · 3 · 3 · 2 · 2 · 1 · 1 = 144 paths."""
+    main(["tesseract"])
+    assert "on SO(3): 144 from node 1, 1152 in all; 144 closed ones" in capsys.readouterr().out
+    with pytest.raises(Exception, match="give one lattice: 16-cell, tesseract, 24-cell"):
+        main(["600-cell"])
+
+
+def stops_counted(_i, _j, _k):
+    return 1.0
+
+
+@pytest.mark.parametrize(("closed", "corners"), [(False, 5), (True, 6)])
+def test_the_search_on_the_24_cell(closed, corners):
+    lines = Lines(lattice("24-cell"))
+    none = RunSearch(lines, closed, corners - 1, stops_counted)
+    assert none.run() is None
+    assert none.finished
+    found = RunSearch(lines, closed, corners, stops_counted, Random(3)).run()
+    assert judged(found, "24-cell", closed)[0] == (11 - corners - 1 if not closed else 12 - corners)
+
+
+def test_no_open_tour_of_the_600_cell_has_43_straight_nodes():
+    """16 runs, 15 corners: the search ends without one."""
+    search = RunSearch(Lines(lattice("600-cell")), False, 15, stops_counted)
+    assert search.run() is None
+    assert search.finished
+
+
+@pytest.mark.campaign
+def test_no_closed_tour_of_the_600_cell_has_43_straight_nodes():
+    search = RunSearch(Lines(lattice("600-cell")), True, 17, stops_counted)
+    assert search.run() is None
+    assert search.finished
+
+
+def test_the_search_for_little_turning_keeps_its_budget():
+    lines = Lines(lattice("24-cell"))
+    found = RunSearch(lines, False, np.radians(423.2), lines.turn).run()
+    assert judged(found, "24-cell", False) == (4, pytest.approx(423.17, abs=0.01))
+    none = RunSearch(lines, False, np.radians(423.1), lines.turn)
+    assert none.run() is None
+    assert none.finished

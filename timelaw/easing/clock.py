@@ -1,0 +1,97 @@
+"""How long legs and runs take at least under a problem's limits, before there is a route to choose."""
+
+from collections.abc import Callable, Collection
+from functools import cache, cached_property
+from math import inf
+
+import numpy as np
+from numpy.typing import NDArray
+
+from timelaw.easing import double_s
+from timelaw.easing.physical_limit import physical_limit
+from timelaw.errors import Fault, InputError
+from timelaw.limits import Limit, Momentum, Rate, binding, rows_on
+from timelaw.numerics.quaternion import angle_between, conjugate, multiply
+from timelaw.schedule import Demand
+from timelaw.tours.chains import Chains
+
+Array = NDArray[np.float64]
+Progress = Callable[[str, int, int], None]
+
+BLOCK = 256  # rows of legs at a time: a few tens of megabytes also for thousands of orientations
+MOST_WITH_TORQUE = 60  # nodes; each leg is a quadrature of some 15 ms
+
+
+class Clock:
+    """Least times [s] from rest to rest between orientations (N, 4), in closed form.
+
+    The double-S profile under velocity, acceleration, jerk and momentum, the phase plane under
+    torque. The body may go through the nodes `passable` at speed, and rests at all others.
+
+    Raises:
+        InputError: no limit bounds some leg, or there are too many for a torque limit.
+    """
+
+    def __init__(
+        self,
+        quaternions: Array,
+        limits: Collection[Limit],
+        passable: Collection[int],
+        progress: Progress | None = None,
+    ) -> None:
+        self._quaternions, self._limits, self._progress = quaternions, tuple(limits), progress
+        self.chains = Chains(quaternions, passable)
+        self.run = cache(self._run)
+
+    @cached_property
+    def legs(self) -> Array:
+        """Least times (N, N) of single legs."""
+        count = len(self._quaternions)
+        if all(isinstance(limit, Rate | Momentum) for limit in self._limits):
+            blocks = [self._rows(slice(at, at + BLOCK))[0] for at in range(0, count, BLOCK)]
+            times = np.concatenate(blocks)
+            np.fill_diagonal(times, 0.0)
+            if not np.all((times > 0) | np.eye(count, dtype=bool)):
+                raise InputError(Fault("no limit bounds the motion of some legs; add a norm limit", "limits"))
+            return np.minimum(times, times.T)  # equal but for rounding
+        if count > MOST_WITH_TORQUE:
+            message = (
+                f"with a torque limit, {MOST_WITH_TORQUE} orientations at most can be timed, not {count}"
+            )
+            raise InputError(Fault(message, "route.tour"))
+        times = np.zeros((count, count))
+        for i in range(count):
+            for j in range(i):
+                times[i, j] = times[j, i] = self._run((j, i))
+            if self._progress is not None:
+                self._progress("times of legs", i, count)
+        return times
+
+    @cached_property
+    def cruise(self) -> Array:
+        """Times (N, N) at the velocity limit all along, which no run beats; 0 where there is none."""
+        blocks = [self._rows(slice(at, at + BLOCK)) for at in range(0, len(self._quaternions), BLOCK)]
+        return np.concatenate([angles / rates[0] for _, angles, rates in blocks])
+
+    def _rows(self, rows: slice) -> tuple[Array, Array, list[Array]]:
+        """Times, angles and bounds on φ', φ'', φ''' of the legs from some of the orientations."""
+        q = self._quaternions
+        turns = multiply(conjugate(q[rows])[:, None, :], q[None, :, :])
+        angles = angle_between(q[rows][:, None, :], q[None, :, :])
+        sizes = np.linalg.norm(turns[..., 1:], axis=-1, keepdims=True)
+        axes = np.where(sizes > 0, turns[..., 1:] / np.where(sizes > 0, sizes, 1.0), [1.0, 0.0, 0.0])
+        bounds = [np.full(angles.shape, inf) for _ in range(3)]
+        for limit in self._limits:
+            if isinstance(limit, Rate | Momentum) and limit.order <= 3:
+                k = limit.order - 1
+                bounds[k] = np.minimum(bounds[k], limit.bounds_on(axes))
+        times = double_s.least_times(angles, *bounds)
+        return np.where(np.isfinite(times), times, 0.0), angles, bounds
+
+    def _run(self, stops: tuple[int, ...]) -> float:
+        """Least time over visits about one axis."""
+        q = self._quaternions[list(stops)]
+        angle = float(np.sum(angle_between(q[:-1], q[1:])))
+        vector = multiply(conjugate(q[0]), q[1])[1:]
+        rows = binding(rows_on(self._limits, vector / np.linalg.norm(vector)))
+        return physical_limit([Demand(angle, rows)])

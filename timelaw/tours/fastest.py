@@ -1,0 +1,165 @@
+"""The fastest tours: least total time under given limits, straight runs counted as a whole."""
+
+from collections.abc import Callable, Iterable
+from itertools import islice, pairwise
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from timelaw.tours.chains import Chains
+from timelaw.tours.ends import Ends
+from timelaw.tours.lower_bound import held_karp
+from timelaw.tours.merit import Merit, Searched
+from timelaw.tours.shortest import EXACT, TREES, opened, places, short_tour
+from timelaw.tours.subsets import MOST_NODES, Move, least
+
+Array = NDArray[np.float64]
+Order = tuple[int, ...]
+Progress = Callable[[str, int, int], None]
+
+TIME = "time"
+ROUNDING = 1e-12  # relative; smaller gains of time are rounding
+MOST_MOVES = 4000  # for comparing all: a few seconds
+MOST_RUNS = 20_000  # that are timed one by one
+MOST_POLISHED = 150  # nodes; above it moves are not tried one by one
+POLISHING = 100_000  # variants of a tour that are timed
+STRETCH = 8  # nodes a polishing move takes along
+
+
+class Clock(Protocol):
+    """How long motions take at least under the limits [s], before there is a route.
+
+    No run takes less than its legs' times at the velocity limit. Arrays (N, N) are symmetric.
+    """
+
+    @property
+    def legs(self) -> Array:
+        """Single legs from rest to rest."""
+        ...
+
+    @property
+    def cruise(self) -> Array:
+        """Legs at the velocity limit all along; 0 where there is none."""
+        ...
+
+    @property
+    def chains(self) -> Chains:
+        """Where the body can go straight on."""
+        ...
+
+    def run(self, stops: Order) -> float:
+        """A run over several visits."""
+        ...
+
+
+def fastest(
+    clock: Clock, ends: Ends, known: Iterable[Order] = (), progress: Progress | None = None
+) -> Searched:
+    """A tour of least time: exact for small sets, otherwise the best found, with a lower bound.
+
+    `known` are tours to begin from, besides the one that is short in time when all nodes are stops.
+    """
+    count = len(clock.legs)
+    runs = _runs(clock)
+    exact = _compared(clock, ends, runs)
+    if exact is not None:
+        return exact
+    charges = _charges(clock, runs)
+    starts = [short_tour(clock.legs, ends, progress), *known]
+    if clock.chains:
+        starts.append(short_tour(charges, ends, progress))
+    order = min((o for o in starts if ends.admits(o)), key=lambda o: duration(clock, o, closed=ends.closed))
+    if clock.chains and count <= MOST_POLISHED:
+        order = _polished(clock, order, ends, progress)
+    total = duration(clock, order, closed=ends.closed)
+    bound = held_karp(charges, ends, total, progress)
+    return Searched(order, (Merit(TIME, total, bound, TREES),))
+
+
+def duration(clock: Clock, order: Order, *, closed: bool) -> float:
+    """Least time [s] of a tour, from rest to rest over each of its runs."""
+    stops = (*order, order[0]) if closed else order
+    return sum(
+        float(clock.legs[run]) if len(run) == 2 else clock.run(run) for run in clock.chains.split(stops)
+    )
+
+
+def _runs(clock: Clock) -> dict[Order, float] | None:
+    """Times of all runs of more than one leg; None if there are too many."""
+    found = list(islice(clock.chains.runs(), MOST_RUNS + 1))
+    return {run: clock.run(run) for run in found} if len(found) <= MOST_RUNS else None
+
+
+def _compared(clock: Clock, ends: Ends, runs: dict[Order, float] | None) -> Searched | None:
+    """All tours compared, runs as moves; None where there are too many."""
+    count = len(clock.legs)
+    if runs is None or count > MOST_NODES or len(runs) + count * count > MOST_MOVES:
+        return None
+    moves = [Move(i, j, (j,), float(clock.legs[i, j])) for i in range(count) for j in range(count) if i != j]
+    moves += [Move(run[0], run[-1], run[1:], time) for run, time in runs.items()]
+    found = None
+    for one in _starts(ends, runs):
+        result = least(count, count, moves, *places(count, one))
+        if result is not None and (found is None or result.cost < found.cost):
+            found = result
+    assert found is not None  # every order is a tour
+    order = opened(found.nodes, closed=ends.closed)
+    return Searched(order, (Merit(TIME, duration(clock, order, closed=ends.closed), found.cost, EXACT),))
+
+
+def _starts(ends: Ends, runs: dict[Order, float]) -> list[Ends]:
+    """A closed tour rests where it starts: node 0, or where a run that passes node 0 begins."""
+    if not ends.closed or ends.start is not None:
+        return [ends]
+    return [Ends(True, start) for start in sorted({0, *(run[0] for run in runs if 0 in run[1:-1])})]
+
+
+def _charges(clock: Clock, runs: dict[Order, float] | None) -> Array:
+    """Of each leg the least it can cost as a part of any run: the run's time in equal shares.
+
+    The shares of all legs of a tour add up to its time or less, so a bound on their sum is one on
+    the time. With too many runs to time, any leg that goes on somewhere may be cruised through.
+    """
+    charges = clock.legs.copy()
+    if runs is None:
+        for a, b in clock.chains.legs():
+            charges[a, b] = charges[b, a] = min(clock.cruise[a, b], charges[a, b])
+        return charges
+    for run, time in runs.items():
+        share = time / (len(run) - 1)
+        for a, b in pairwise(run):
+            charges[a, b] = charges[b, a] = min(charges[a, b], share)
+    return charges
+
+
+def _polished(clock: Clock, order: Order, ends: Ends, progress: Progress | None) -> Order:
+    """Improved by turning round and moving stretches, runs counted, until nothing helps."""
+    best, tried, improved = duration(clock, order, closed=ends.closed), 0, True
+    while improved and tried < POLISHING:
+        improved = False
+        for candidate in _variants(order):
+            tried += 1
+            time = duration(clock, candidate, closed=ends.closed) if ends.admits(candidate) else best
+            if time < best * (1 - ROUNDING):
+                order, best, improved = candidate, time, True
+                break
+            if tried >= POLISHING:
+                break
+        if progress is not None:
+            progress("runs", min(tried, POLISHING), POLISHING)
+    return order
+
+
+def _variants(order: Order) -> Iterable[Order]:
+    """Stretches turned round, and short ones carried elsewhere, either way round."""
+    count = len(order)
+    for i in range(count):
+        for j in range(i + 1, count):
+            yield (*order[:i], *order[i : j + 1][::-1], *order[j + 1 :])
+    for i in range(count):
+        for j in range(i + 1, min(i + STRETCH, count) + 1):
+            stretch, rest = order[i:j], order[:i] + order[j:]
+            for at in range(len(rest) + 1):
+                yield (*rest[:at], *stretch, *rest[at:])
+                yield (*rest[:at], *stretch[::-1], *rest[at:])

@@ -1,0 +1,164 @@
+"""Among the tours whose legs are all minimal: those with the fewest stops, or the least turning.
+
+The body need not stop where its next leg goes on along the same great circle. Small sets are
+compared exhaustively; for the 600-cell found tours are shipped as data. What they are worth is
+computed when they are loaded, never read.
+"""
+
+import json
+from collections.abc import Sequence
+from importlib.resources import files
+from itertools import pairwise
+from math import floor
+
+from timelaw.errors import Fault, InputError, some
+from timelaw.tours.ends import Ends
+from timelaw.tours.hamiltonian import hamiltonian, obstacle
+from timelaw.tours.lines import Lines
+from timelaw.tours.merit import Merit, Searched
+from timelaw.tours.shortest import EXACT, opened
+from timelaw.tours.subsets import MOST_CELLS, Move, Start, least
+from timelaw.tours.symmetry import moved
+
+DATA = "data/straight.json"
+PROVED = "exhaustive search"
+COUNTED = "counting"
+CALM = 1e-4  # of a stop for a radian of turning: of tours with equally few stops the calmest
+STRAIGHT, TURNING = "straight nodes", "turning"
+GOALS = {STRAIGHT: "fewest-stops", TURNING: "least-turning"}
+
+
+def straightest(
+    lines: Lines, ends: Ends, goal: str, labels: Sequence[str], lattice: str | None = None
+) -> Searched:
+    """The tour of minimal legs with the most straight nodes (`goal` STRAIGHT), or the least TURNING.
+
+    Raises:
+        InputError: no tour has minimal legs only, or the set is too large to compare all and none is shipped.
+    """
+    reason = obstacle(lines.neighbours, ends)
+    if reason is not None:
+        what, nodes = reason
+        raise _impossible(goal, f"there are orientations {what}: {some([labels[i] for i in nodes])}")
+    if len(lines) * 2 ** len(lines) * max(map(len, lines.neighbours)) <= MOST_CELLS:
+        return _exact(lines, ends, goal)
+    shipped = _shipped(lines, ends, goal, lattice) if lattice else None
+    if shipped is None and not lines.onward:
+        return _any_minimal(lines, ends, goal)
+    if shipped is None:
+        raise InputError(
+            Fault(
+                f'no "{GOALS[goal]}" tour of these orientations is known; use "shortest" or "fastest"',
+                "route.tour",
+            )
+        )
+    return shipped
+
+
+def check(order: Sequence[int], lines: Lines, *, closed: bool) -> None:
+    """Refuse what does not visit every node once by minimal legs.
+
+    Raises:
+        ValueError: a node is missing or repeated, or a leg is longer.
+    """
+    if sorted(order) != list(range(len(lines))):
+        raise ValueError("a tour visits every node once")
+    for a, b in pairwise(stops(order, closed=closed)):
+        if b not in lines.neighbours[a]:
+            raise ValueError(f"the leg {a}-{b} is not minimal")
+
+
+def stops(order: Sequence[int], *, closed: bool) -> tuple[int, ...]:
+    """The visits of a tour, the first one again at the end of a closed one."""
+    return (*order, order[0]) if closed else tuple(order)
+
+
+def merits(
+    lines: Lines, order: Sequence[int], *, closed: bool, bounds: dict[str, tuple[float, str]]
+) -> tuple[Merit, ...]:
+    """What a tour of minimal legs is worth, beside the bounds known: straight nodes, turning."""
+    visits = stops(order, closed=closed)
+    legs = len(visits) - 1
+    counted = lines.counting_bound(closed)
+    most, proof = bounds.get(STRAIGHT, (counted, COUNTED))
+    if most >= counted:
+        most, proof = counted, COUNTED
+    corners = legs - 1 - most
+    sharp = min((t for t in _turns(lines) if t > 0), default=0.0)
+    little, why = bounds.get(TURNING, (0.0, ""))
+    if corners * sharp >= little:
+        little, why = corners * sharp, f"{corners:.0f} corners × the least turn"
+    return (
+        Merit(STRAIGHT, lines.straight(visits), most, proof, most=True),
+        Merit(TURNING, lines.turning(visits), little, why),
+    )
+
+
+def _turns(lines: Lines) -> set[float]:
+    """The turns that are possible at node 0, and at every other node of a lattice."""
+    return {
+        lines.turn(i, j, k) for j, near in enumerate(lines.neighbours) for i in near for k in near if i != k
+    }
+
+
+def _any_minimal(lines: Lines, ends: Ends, goal: str) -> Searched:
+    """A tour of minimal legs: as good as any where none goes straight on anywhere."""
+    order = hamiltonian(lines.neighbours, ends)
+    if order is None:
+        raise _impossible(goal, "none was found")
+    return Searched(order, merits(lines, order, closed=ends.closed, bounds={}))
+
+
+def _exact(lines: Lines, ends: Ends, goal: str) -> Searched:
+    """By dynamic programming over subsets: all tours of minimal legs are compared."""
+
+    def price(i: int, j: int, k: int) -> float:
+        turn = lines.turn(i, j, k)
+        return turn if goal == TURNING else (turn > 0) + CALM * turn
+
+    count = len(lines)
+    arcs = {
+        arc: count + index
+        for index, arc in enumerate((i, j) for i, near in enumerate(lines.neighbours) for j in near)
+    }
+    moves = [Move(i, state, (j,), 0.0) for (i, j), state in arcs.items()]
+    moves += [
+        Move(state, arcs[j, k], (k,), price(i, j, k))
+        for (i, j), state in arcs.items()
+        for k in lines.neighbours[j]
+        if k != i
+    ]
+    found = None
+    for first in range(count) if ends.start is None else [ends.start]:
+        goals = [first] if ends.closed else [ends.end] if ends.end is not None else range(count)
+        final = [state for (_, j), state in arcs.items() if j in goals]
+        start = Start(first, None if ends.closed else first)
+        one = least(count, count + len(arcs), moves, [start], final)
+        if one is not None and (found is None or one.cost < found.cost - 1e-9):
+            found = one
+    if found is None:
+        raise _impossible(goal, "comparing all shows that there is none")
+    order = opened(found.nodes, closed=ends.closed)
+    inner = count - 2 + ends.closed
+    bound = (inner - floor(found.cost), EXACT) if goal == STRAIGHT else (found.cost, EXACT)
+    return Searched(order, merits(lines, order, closed=ends.closed, bounds={goal: bound}))
+
+
+def _shipped(lines: Lines, ends: Ends, goal: str, lattice: str) -> Searched | None:
+    """A tour from the data, carried to the ends asked for; checked."""
+    known = json.loads(files("timelaw.tours").joinpath(DATA).read_text(encoding="utf-8")).get(lattice)
+    if known is None:
+        return None
+    kind = known["closed" if ends.closed else "open"]
+    for order in kind[GOALS[goal]]:
+        carried = moved(tuple(order), lines.quaternions, ends)
+        if carried is not None:
+            check(carried, lines, closed=ends.closed)
+            bounds = {STRAIGHT: (kind["most straight nodes"], PROVED)}
+            return Searched(carried, merits(lines, carried, closed=ends.closed, bounds=bounds))
+    return None
+
+
+def _impossible(goal: str, reason: str) -> InputError:
+    message = f'"{GOALS[goal]}" needs a tour whose legs all have the minimal distance, and {reason}'
+    return InputError(Fault(f'{message}; use "shortest" or "fastest"', "route.tour"))

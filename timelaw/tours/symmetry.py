@@ -1,0 +1,58 @@
+"""Isometries of a lattice that is a group: they carry tours to tours with the same legs and turns."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from timelaw.numerics.quaternion import conjugate, multiply
+from timelaw.tours.ends import Ends
+
+Array = NDArray[np.float64]
+Order = tuple[int, ...]
+
+CLOSE = 1e-9  # of |q·q| from one, where two vertices are the same
+
+
+def permutation(quaternions: Array, images: Array) -> list[int] | None:
+    """Which node each image (N, 4) is, up to sign; None if they are not the set."""
+    cosines = np.abs(images @ quaternions.T)
+    nodes = [int(node) for node in np.argmax(cosines, axis=1)]
+    if np.min(np.max(cosines, axis=1)) < 1 - CLOSE or len(set(nodes)) < len(nodes):
+        return None
+    return nodes
+
+
+def moved(order: Order, quaternions: Array, ends: Ends) -> Order | None:
+    """The tour carried, and turned round where needed, to begin and end where it should.
+
+    x ↦ l ⊗ x ⊗ r with l, r from the set maps distances and great circles onto themselves; None if
+    no such map of the set onto itself does it.
+    """
+    for candidate in (order, order[::-1]):
+        first, last = quaternions[candidate[0]], quaternions[candidate[-1]]
+        start = candidate[0] if ends.start is None else ends.start
+        for right in quaternions:
+            if ends.start is None and ends.end is not None:
+                left = multiply(quaternions[ends.end], conjugate(multiply(last, right)))
+            else:
+                left = multiply(quaternions[start], conjugate(multiply(first, right)))
+            nodes = permutation(quaternions, multiply(multiply(left, quaternions), right))
+            if nodes is None:
+                return None
+            found = tuple(nodes[node] for node in candidate)
+            if ends.admits(found):
+                return found
+            if ends.start is None or ends.end is None:
+                break  # with one end given every map does or none
+    return None
+
+
+def flag_stabiliser(quaternions: Array, node: int, neighbour: int) -> list[list[int]]:
+    """The maps x ↦ l ⊗ x ⊗ r and x ↦ l ⊗ x* ⊗ r, as permutations, that leave two nodes where they are."""
+    found = []
+    for images in (quaternions, conjugate(quaternions)):
+        for right in quaternions:
+            left = multiply(quaternions[node], conjugate(multiply(images[node], right)))
+            nodes = permutation(quaternions, multiply(multiply(left, images), right))
+            if nodes is not None and nodes[neighbour] == neighbour:
+                found.append(nodes)
+    return found
