@@ -19,7 +19,7 @@ def through(quaternions):
     """The route along a list of orientations."""
     q = np.array(quaternions, dtype=float)
     labels = tuple(str(i + 1) for i in range(len(q)))
-    return route(OrientationSet(q, labels, "list"), Tour(tuple(range(len(q))), False, 0.0, 0.0))
+    return route(OrientationSet(q, labels, "list"), Tour(tuple(range(len(q))), False, 0.0, 0.0, ()))
 
 
 def lattice_route(spec: str):
