@@ -1,8 +1,6 @@
 """The reference problems against closed forms and linear programs, and the committed results."""
 
-import json
 from collections import Counter
-from importlib.resources import files
 from pathlib import Path
 
 import numpy as np
@@ -17,7 +15,7 @@ from timelaw.certificate.certificate import compare_with_record
 from timelaw.easing.double_s import least_time
 from timelaw.motion.law_file import read_law
 from timelaw.orientations.lattices import lattice
-from timelaw.report import law_rows
+from timelaw.report import law_rows, tour_table
 from timelaw.report.reference import replaced, table
 
 DEG = np.pi / 180
@@ -125,18 +123,32 @@ def test_ci_runs_the_readmes_test_command():
     assert (Path(__file__).parent.parent / ".ci" / "run").read_text().endswith(command)
 
 
-def test_the_readmes_figures_of_tours():
-    """The same sentence, computed: least time over the runs under 60, 120, 600."""
+def test_the_readmes_table_of_tours():
+    """What the command prints; its times by closed forms over runs that SciPy's rotations find."""
+    rows = tour_table.designs()
+    assert replaced(README, tour_table.table(rows), tour_table.MARK) == README
     limits = (60 * DEG, 120 * DEG, 600 * DEG)
-    one, two = (least_time(legs * 120 * DEG, *limits) for legs in (1, 2))
-    assert f"{5 * one + 3 * two:.2f} s, `fewest-stops` {one + 5 * two:.2f} s" in README
-    order = json.loads(files("timelaw.tours").joinpath("data/fewest_stops.json").read_text())["600-cell"][
-        "open"
-    ]
-    stops = straight_runs(order, lattice("600-cell"))
-    total = sum(least_time(legs * 72 * DEG, *limits) for legs in stops)
-    assert f"takes {59 * least_time(72 * DEG, *limits):.2f} s, the shipped" in README
-    assert f"{59 - len(stops)} of 58 nodes straight (counting allows 44), {total:.2f} s" in README
+    over_runs = {
+        ("24-cell", "paper"): 27.60,
+        ("24-cell", "fewest-stops"): 26.20,
+        ("600-cell", "fewest-stops"): 82.70,
+    }
+    for name, tour, designed in rows:
+        angle = np.degrees(np.min(designed.route.angles))
+        lengths = straight_runs(list(designed.tour.order), lattice(name))
+        assert sum(lengths) == len(lattice(name)) - 1
+        runs = sum(least_time(legs * angle * DEG, *limits) for legs in lengths)
+        times = {row.name: row.duration for row in law_rows(designed)}
+        assert times["double-S"] == pytest.approx(runs, rel=1e-9)
+        assert over_runs.get((name, tour), runs) == pytest.approx(runs, rel=1e-9)
+        quintic = sum(lengths) * smoothstep_duration(QUINTIC_PEAKS, angle, (60, 120, 600))
+        assert times["quintic"] == pytest.approx(quintic, rel=1e-9)
+        every = sum(lengths) * least_time(angle * DEG, *limits)
+        assert times.get("double-S, every stop", runs) == pytest.approx(every, rel=1e-9)
+        if name == "600-cell":
+            assert (round(every, 2), round(quintic, 2)) == (112.10, 132.75)
+        assert times["double-S"] < times["optimised"] < times["quintic"]
+        assert designed.optimised.certificate.findings() == []
 
 
 def straight_runs(order, q):

@@ -11,7 +11,7 @@ from timelaw.pipeline import Design, design
 from timelaw.report.summary import law_rows
 from timelaw.time_law import physical_limit
 
-BEGIN, END = "<!-- reference results: begin -->", "<!-- reference results: end -->"
+MARK = "reference results"
 HEADINGS = (
     "problem",
     "legs",
@@ -27,8 +27,13 @@ HEADINGS = (
 
 def table(designs: Sequence[Design]) -> str:
     """A Markdown table with one row per design."""
-    lines = ["| " + " | ".join(HEADINGS) + " |", "|---" + "|---:" * (len(HEADINGS) - 1) + "|"]
-    return "\n".join([*lines, *("| " + " | ".join(_cells(d)) + " |" for d in designs)])
+    return markdown(HEADINGS, [_cells(design) for design in designs])
+
+
+def markdown(headings: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    """A Markdown table: the first column to the left, the others to the right."""
+    lines = ["| " + " | ".join(headings) + " |", "|---" + "|---:" * (len(headings) - 1) + "|"]
+    return "\n".join([*lines, *("| " + " | ".join(row) + " |" for row in rows)])
 
 
 def _cells(design: Design) -> list[str]:
@@ -48,17 +53,18 @@ def _cells(design: Design) -> list[str]:
     ]
 
 
-def replaced(text: str, new: str) -> str:
+def replaced(text: str, new: str, mark: str = MARK) -> str:
     """The text with the table between the marks replaced.
 
     Raises:
         ValueError: the marks are not there.
     """
-    before, _, rest = text.partition(BEGIN)
-    _, mark, after = rest.partition(END)
-    if not mark:
-        raise ValueError(f"no {BEGIN} and {END}")
-    return f"{before}{BEGIN}\n{new}\n{END}{after}"
+    begin, end = f"<!-- {mark}: begin -->", f"<!-- {mark}: end -->"
+    before, _, rest = text.partition(begin)
+    _, found, after = rest.partition(end)
+    if not found:
+        raise ValueError(f"no {begin} and {end}")
+    return f"{before}{begin}\n{new}\n{end}{after}"
 
 
 def main(arguments: Sequence[str]) -> None:
