@@ -1,10 +1,9 @@
-"""Fewest stops and least turning: shipped tours checked without the search's code, bounds, counts, the search."""
+"""Fewest stops and least turning: shipped tours checked without the search's code, bounds, counts."""
 
 import json
 from collections import Counter
 from importlib.resources import files
 from pathlib import Path
-from random import Random
 
 import numpy as np
 import pytest
@@ -20,7 +19,6 @@ from timelaw.time_law import physical_limit
 from timelaw.tours import tour
 from timelaw.tours.counts import by_straight_nodes, cycles, main, paths
 from timelaw.tours.lines import Lines
-from timelaw.tours.run_search import RunSearch
 from timelaw.tours.straight import check
 
 SHIPPED = json.loads(files("timelaw.tours").joinpath("data/straight.json").read_text())
@@ -230,40 +228,3 @@ def test_counts_of_the_tesseract_by_hand(capsys):
     assert "on SO(3): 144 from node 1, 1152 in all; 144 closed ones" in capsys.readouterr().out
     with pytest.raises(Exception, match="give one lattice: 16-cell, tesseract, 24-cell"):
         main(["600-cell"])
-
-
-def stops_counted(_i, _j, _k):
-    return 1.0
-
-
-@pytest.mark.parametrize(("closed", "corners"), [(False, 5), (True, 6)])
-def test_the_search_on_the_24_cell(closed, corners):
-    lines = Lines(lattice("24-cell"))
-    none = RunSearch(lines, closed, corners - 1, stops_counted)
-    assert none.run() is None
-    assert none.finished
-    found = RunSearch(lines, closed, corners, stops_counted, Random(3)).run()
-    assert judged(found, "24-cell", closed)[0] == (11 - corners - 1 if not closed else 12 - corners)
-
-
-def test_no_open_tour_of_the_600_cell_has_43_straight_nodes():
-    """16 runs, 15 corners: the search ends without one."""
-    search = RunSearch(Lines(lattice("600-cell")), False, 15, stops_counted)
-    assert search.run() is None
-    assert search.finished
-
-
-@pytest.mark.campaign
-def test_no_closed_tour_of_the_600_cell_has_43_straight_nodes():
-    search = RunSearch(Lines(lattice("600-cell")), True, 17, stops_counted)
-    assert search.run() is None
-    assert search.finished
-
-
-def test_the_search_for_little_turning_keeps_its_budget():
-    lines = Lines(lattice("24-cell"))
-    found = RunSearch(lines, False, np.radians(423.2), lines.turn).run()
-    assert judged(found, "24-cell", False) == (4, pytest.approx(423.17, abs=0.01))
-    none = RunSearch(lines, False, np.radians(423.1), lines.turn)
-    assert none.run() is None
-    assert none.finished

@@ -65,7 +65,7 @@ class RunSearch:
         """The first tour found; None if there is none, or `steps` are used up (`finished` tells which)."""
         first = self.ways[0][0]
         for length in range(len(first), 0, -1):
-            if not self._in_time(0.0, length):
+            if not self._in_time(0.0, 0, length):
                 break
             self.path = [0, *first[:length]]
             if self._extend(sum(1 << node for node in self.path), 0.0, 1):
@@ -130,7 +130,7 @@ class RunSearch:
                 if visited >> node & 1:
                     break
                 after |= 1 << node
-                if not self._in_time(cost + price, legs + length):
+                if not self._in_time(cost + price, legs, legs + length):
                     continue
                 left = (self.near[node] & ~after).bit_count()
                 rank = LOSS * (self.lines.longest - length + price / self.least) + PROMISE * left
@@ -138,17 +138,17 @@ class RunSearch:
                 found.append((rank + chance, cost + price, line[:length]))
         return sorted(found)
 
-    def _in_time(self, cost: float, legs: int) -> bool:
-        """Whether some reading of the tour to be found can have cost this much after so many legs.
+    def _in_time(self, cost: float, before: int, legs: int) -> bool:
+        """Whether some reading of the tour can have cost this much with a run from `before` to `legs` legs.
 
-        Open: what must still be added until the run with the middle leg begins counts too. Closed:
-        the corner at its start has cost something already.
+        Open: if the run is not past the middle leg, and what must still be added until the run with the
+        middle leg begins counts too. Closed: the corner at its start has cost something already.
         """
         if self.closed:
             return (cost + self.least) * self.legs <= self.budget * legs + ROUNDING
         middle = (self.legs - 1) // 2 + 1
         runs = -(-max(middle - legs, 0) // self.lines.longest)
-        return runs == 0 or cost + runs * self.least <= self.budget / 2 + ROUNDING
+        return before >= middle or cost + runs * self.least <= self.budget / 2 + ROUNDING
 
     def _second_runs(self, last: int) -> list[tuple[int, ...]]:
         """Lines from `last`, one of each class that the isometries fixing the first leg make."""

@@ -47,8 +47,11 @@ def moved(order: Order, quaternions: Array, ends: Ends) -> Order | None:
 
 
 def flag_stabiliser(quaternions: Array, node: int, neighbour: int) -> list[list[int]]:
-    """The maps x ↦ l ⊗ x ⊗ r and x ↦ l ⊗ x* ⊗ r, as permutations, that leave two nodes where they are."""
-    found = []
+    """Maps x ↦ l ⊗ x ⊗ r and x ↦ l ⊗ x* ⊗ r, as permutations, that leave two nodes where they are.
+
+    With l and r from the set: all such maps if it is a group, otherwise some, the identity always.
+    """
+    found = [list(range(len(quaternions)))]
     for images in (quaternions, conjugate(quaternions)):
         for right in quaternions:
             left = multiply(quaternions[node], conjugate(multiply(images[node], right)))
