@@ -12,6 +12,7 @@ from timelaw.errors import InputError
 from timelaw.numerics.quaternion import rotation_matrix
 from timelaw.orientations import orientations
 from timelaw.pipeline import lay_out
+from timelaw.tours import tour
 
 RNG = np.random.default_rng(4)
 SOME = unit_quaternions(RNG, 6)
@@ -125,10 +126,13 @@ def test_frames_turn_before_and_after():
     same(found.quaternions, (world * ROTATIONS * body).as_quat(scalar_first=True))
 
 
-def test_a_turned_lattice_is_a_set_like_any_other():
-    found = read("lattice: 24-cell, turned: {world: [0.6, 0.8, 0, 0]}")
-    assert found.lattice is None
-    assert len(found) == 12
+def test_a_turned_lattice_keeps_its_numbering_and_the_papers_tour():
+    turned = "lattice: 24-cell, turned: {world: [0.6, 0.8, 0, 0]}"
+    plain, found = read("lattice: 24-cell"), read(turned)
+    expected = Rotation.from_quat([0.8, 0, 0, 0.6]) * Rotation.from_quat(plain.quaternions, scalar_first=True)
+    same(found.quaternions, expected.as_quat(scalar_first=True))
+    made = problem(f"route: {{orientations: {{{turned}}}, tour: paper}}").route
+    assert tour(made, found).is_shortest
 
 
 REPEATED = "list: [[1,0,0,0], [0,1,0,0], [-1,0,0,0], [0,-1,0,0], [0,0,1,0]]"

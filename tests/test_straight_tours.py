@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from tests.conftest import problem
+from tests.conftest import problem, unit_quaternions
 from timelaw.errors import InputError
-from timelaw.orientations import orientations
+from timelaw.orientations import OrientationSet, orientations
 from timelaw.orientations.lattices import lattice
 from timelaw.route import route
 from timelaw.schedule import schedule
@@ -20,6 +20,7 @@ from timelaw.tours import tour
 from timelaw.tours.counts import by_straight_nodes, cycles, main, paths
 from timelaw.tours.lines import Lines
 from timelaw.tours.straight import check
+from timelaw.tours.symmetry import congruence
 
 SHIPPED = json.loads(files("timelaw.tours").joinpath("data/straight.json").read_text())
 CASES = [
@@ -119,6 +120,47 @@ def test_tours_of_the_600_cell_begin_and_end_where_they_should(start, end):
     assert points.labels[found.order[0]] == str(start)
     assert end is None or points.labels[found.order[-1]] == str(end)
     assert judged(found.order, "600-cell", False)[0] == 42
+
+
+@pytest.mark.parametrize("ends", ["", ", end: 9", ", start: 7, end: 60", ", closed: true, start: 4"])
+def test_a_600_cell_in_other_axes_and_another_order_has_the_same_tours(ends):
+    q = lattice("600-cell")
+    q = (Rotation.random(rng=1) * Rotation.from_quat(q, scalar_first=True) * Rotation.random(rng=2)).as_quat(
+        scalar_first=True
+    )
+    rng = np.random.default_rng(3)
+    q = (q * rng.choice([-1, 1], (60, 1)))[rng.permutation(60)]
+    points = OrientationSet(q, tuple(str(i + 1) for i in range(60)), "list")
+    for goal in ("fewest-stops", "least-turning"):
+        made = problem(f"route: {{orientations: {{lattice: 600-cell}}, tour: {goal}{ends}}}").route
+        found = tour(made, points)
+        assert sorted(found.order) == list(range(60))
+        angles, corners = turns(found.order, q, made.closed)
+        np.testing.assert_allclose(angles, 72, atol=1e-6)
+        if goal == "fewest-stops":
+            assert np.sum(corners < 1e-4) == 42
+        assert made.start in (None, str(found.order[0] + 1))
+        assert made.end in (None, str(found.order[-1] + 1))
+
+
+def test_other_sets_of_sixty_are_not_taken_for_the_600_cell():
+    model, rng = lattice("600-cell"), np.random.default_rng(5)
+    other = model.copy()
+    other[-1] = Rotation.random(rng=rng).as_quat(scalar_first=True)
+    for points in (other, model[:-1], unit_quaternions(rng, 60), lattice("24-cell")):
+        assert congruence(model, points) is None
+    assert congruence(model, model) is not None
+
+
+@pytest.mark.parametrize("digits", [4, 6, 8, 9, 10, 12])
+def test_a_600_cell_written_with_few_digits_is_the_lattice_or_refused(digits):
+    points = OrientationSet(lattice("600-cell").round(digits), tuple(str(i + 1) for i in range(60)), "list")
+    spec = problem("route: {orientations: {lattice: 600-cell}, tour: fewest-stops}").route
+    if digits < 10:
+        with pytest.raises(InputError, match="needs a tour whose legs all have the minimal distance"):
+            tour(spec, points)
+    else:
+        assert {m.name: m.value for m in tour(spec, points).merits}["straight nodes"] == 42
 
 
 def test_end_alone_and_closed_from_a_start():

@@ -22,8 +22,9 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class OrientationSet:
-    """Unit quaternions (N, 4), read-only, with one label each; `lattice` names the polytope, if any.
+    """Unit quaternions (N, 4), read-only, with one label each.
 
+    `lattice` names the polytope whose vertices they are, turned or not, if any.
     `same` pairs labels of orientations that are one up to sign; `notes` say what was left out or merged.
     """
 
@@ -51,7 +52,7 @@ def orientations(spec: Orientations, folder: Path) -> OrientationSet:
     if spec.turned is not None:
         turned = multiply(multiply(spec.turned.world, found.quaternions), spec.turned.body)
         turned /= np.linalg.norm(turned, axis=1, keepdims=True)
-        found = replace(found, quaternions=turned, lattice=None)
+        found = replace(found, quaternions=turned)
     return _merged(found, spec)
 
 

@@ -12,13 +12,14 @@ from itertools import pairwise
 from math import floor
 
 from timelaw.errors import Fault, InputError, some
+from timelaw.orientations.lattices import lattice
 from timelaw.tours.ends import Ends
 from timelaw.tours.hamiltonian import hamiltonian, obstacle
 from timelaw.tours.lines import Lines
 from timelaw.tours.merit import Merit, Searched
 from timelaw.tours.shortest import EXACT, opened
 from timelaw.tours.subsets import MOST_CELLS, Move, Start, least
-from timelaw.tours.symmetry import moved
+from timelaw.tours.symmetry import congruence, moved
 
 DATA = "data/straight.json"
 PROVED = "exhaustive search"
@@ -28,9 +29,7 @@ STRAIGHT, TURNING = "straight nodes", "turning"
 GOALS = {STRAIGHT: "fewest-stops", TURNING: "least-turning"}
 
 
-def straightest(
-    lines: Lines, ends: Ends, goal: str, labels: Sequence[str], lattice: str | None = None
-) -> Searched:
+def straightest(lines: Lines, ends: Ends, goal: str, labels: Sequence[str]) -> Searched:
     """The tour of minimal legs with the most straight nodes (`goal` STRAIGHT), or the least TURNING.
 
     Raises:
@@ -42,7 +41,7 @@ def straightest(
         raise _impossible(goal, f"there are orientations {what}: {some([labels[i] for i in nodes])}")
     if len(lines) * 2 ** len(lines) * max(map(len, lines.neighbours)) <= MOST_CELLS:
         return _exact(lines, ends, goal)
-    shipped = _shipped(lines, ends, goal, lattice) if lattice else None
+    shipped = _shipped(lines, ends, goal)
     if shipped is None and not lines.onward:
         return _any_minimal(lines, ends, goal)
     if shipped is None:
@@ -144,18 +143,25 @@ def _exact(lines: Lines, ends: Ends, goal: str) -> Searched:
     return Searched(order, merits(lines, order, closed=ends.closed, bounds={goal: bound}))
 
 
-def _shipped(lines: Lines, ends: Ends, goal: str, lattice: str) -> Searched | None:
-    """A tour from the data, carried to the ends asked for; checked."""
-    known = json.loads(files("timelaw.tours").joinpath(DATA).read_text(encoding="utf-8")).get(lattice)
-    if known is None:
-        return None
-    kind = known["closed" if ends.closed else "open"]
-    for order in kind[GOALS[goal]]:
-        carried = moved(tuple(order), lines.quaternions, ends)
-        if carried is not None:
-            check(carried, lines, closed=ends.closed)
-            bounds = {STRAIGHT: (kind["most straight nodes"], PROVED)}
-            return Searched(carried, merits(lines, carried, closed=ends.closed, bounds=bounds))
+def _shipped(lines: Lines, ends: Ends, goal: str) -> Searched | None:
+    """A tour from the data of a lattice congruent to the set, carried to it and to the ends; checked."""
+    for name, kinds in json.loads(files("timelaw.tours").joinpath(DATA).read_text(encoding="utf-8")).items():
+        model = Lines(lattice(name))
+        nodes = congruence(model.quaternions, lines.quaternions)
+        if nodes is None or any(
+            {nodes[j] for j in near} != set(lines.neighbours[nodes[i]])
+            for i, near in enumerate(model.neighbours)
+        ):
+            continue
+        kind = kinds["closed" if ends.closed else "open"]
+        bounds = {STRAIGHT: (kind["most straight nodes"], PROVED)}
+        wanted = Ends(ends.closed, *(None if e is None else nodes.index(e) for e in (ends.start, ends.end)))
+        for order in kind[GOALS[goal]]:
+            carried = moved(tuple(order), model.quaternions, wanted)
+            if carried is not None:
+                found = [nodes[node] for node in carried]
+                check(found, lines, closed=ends.closed)
+                return Searched(tuple(found), merits(lines, found, closed=ends.closed, bounds=bounds))
     return None
 
 

@@ -21,6 +21,31 @@ def permutation(quaternions: Array, images: Array) -> list[int] | None:
     return nodes
 
 
+def congruence(model: Array, points: Array) -> list[int] | None:
+    """Which node of `points` each vertex of `model` is, up to sign, after an isometry between the two sets.
+
+    A tetrahedron of nearest neighbours is carried to another one; where all of them are alike, as
+    in the 600-cell, that finds the isometry if there is one. None if it does not.
+    """
+    if len(model) != len(points):
+        return None
+    frames = [_tetrahedron(model), _tetrahedron(points)]
+    if any(len(frame) < 4 for frame in frames):
+        return None
+    carried = model @ np.linalg.solve(*frames)
+    return permutation(points, carried) if np.allclose(carried @ carried.T, model @ model.T) else None
+
+
+def _tetrahedron(quaternions: Array) -> Array:
+    """Vertices (4, 4), signed, of nearest neighbours around the first; fewer rows if there are none."""
+    nearest = np.sort(np.abs(quaternions[0] @ quaternions.T))[-2]
+    chosen = quaternions[:1]
+    for vertex in (s * q for q in quaternions[1:] for s in (1.0, -1.0)):
+        if len(chosen) < 4 and np.all(np.abs(chosen @ vertex - nearest) < CLOSE):
+            chosen = np.vstack([chosen, vertex])
+    return chosen
+
+
 def moved(order: Order, quaternions: Array, ends: Ends) -> Order | None:
     """The tour carried, and turned round where needed, to begin and end where it should.
 

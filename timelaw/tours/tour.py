@@ -149,20 +149,21 @@ def _least_turning(wanted: Wanted) -> Searched:
 
 def _straightest(wanted: Wanted, goal: str) -> Searched:
     points = wanted.points
-    return straightest(Lines(points.quaternions), wanted.ends, goal, points.labels, points.lattice)
+    return straightest(Lines(points.quaternions), wanted.ends, goal, points.labels)
 
 
 def _fastest(wanted: Wanted) -> Searched:
-    """Of least total time under the limits; a lattice's straightest tours are where a search begins."""
+    """Of least total time under the limits; the straightest tours known are where a search begins."""
     if wanted.clock is None:
         raise _fault("the fastest tour needs limits")
+    clock = wanted.clock()
     known: list[Order] = []
-    for search in (_fewest_stops, _least_turning) if wanted.points.lattice else ():
+    for search in (_fewest_stops, _least_turning) if clock.chains else ():
         try:
             known.append(search(wanted).order)
-        except InputError:  # the lattice has no such tour with these ends; the search does without
+        except InputError:  # the set has no such tour with these ends; the search does without
             continue
-    return fastest(wanted.clock(), wanted.ends, known, wanted.progress)
+    return fastest(clock, wanted.ends, known, wanted.progress)
 
 
 TOURS: dict[str, Callable[[Wanted], Searched]] = {
