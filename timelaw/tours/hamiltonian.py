@@ -23,13 +23,19 @@ def hamiltonian(neighbours: Graph, ends: Ends) -> tuple[int, ...] | None:
 
     None if none was found; `obstacle` may say why there is none.
     """
+    if not ends.closed and ends.start is None and ends.end is not None:
+        path = hamiltonian(neighbours, Ends(False, ends.end))
+        return None if path is None else path[::-1]
     random = Random(SEED)
     last = (ends.start or 0) if ends.closed else ends.end
+    first = next((node for node, near in enumerate(neighbours) if len(near) == 1), 0)  # it must be an end
     for _ in range(STARTS):
-        first = _first(ends, len(neighbours), random)
-        path = _grow(neighbours, random, first, last, closed=ends.closed)
-        if path is not None:
-            return tuple(path)
+        if ends.closed or ends.start is not None:
+            first = ends.start or 0
+        grown = _grow(neighbours, random, first, last, closed=ends.closed)
+        if grown is not None:
+            return tuple(grown)
+        first = int(random.random() * len(neighbours))
     return None
 
 
@@ -59,13 +65,6 @@ def _reached(neighbours: Graph, start: int) -> set[int]:
         seen.update(fresh)
         waiting += fresh
     return seen
-
-
-def _first(ends: Ends, count: int, random: Random) -> int:
-    """The first node: as given, else node 0; for a given last node alone any other one."""
-    if ends.start is not None or ends.end is None or ends.closed:
-        return ends.start or 0
-    return (ends.end + 1 + int(random.random() * (count - 1))) % count
 
 
 def _grow(

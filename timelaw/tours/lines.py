@@ -2,7 +2,9 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
+from math import ceil
 
 import numpy as np
 from numpy.typing import NDArray
@@ -63,6 +65,14 @@ class Lines:
         before, after = self.axes[i, j], self.axes[j, k]
         return float(np.arctan2(np.linalg.norm(np.cross(before, after)), before @ after))
 
+    @cached_property
+    def least_turn(self) -> float:
+        """The least turn [rad] of the axis at any node, straight on apart; 0 if there is none."""
+        turns = (
+            self.turn(i, j, k) for j, near in enumerate(self.neighbours) for i in near for k in near if i != k
+        )
+        return min((turn for turn in turns if turn > 0), default=0.0)
+
     def line(self, start: int, second: int) -> list[int]:
         """The nodes after `start` on the circle through `second`, once around."""
         nodes, before, here = [second], start, second
@@ -72,9 +82,20 @@ class Lines:
         return nodes
 
     @cached_property
+    def reach(self) -> list[int]:
+        """Legs of the longest run through each node; a circle of m orientations allows m - 1."""
+        longest = [0] * len(self)
+        for i, nearest in enumerate(self.neighbours):
+            for j in nearest:
+                nodes = self.line(i, j)
+                for node in (i, *nodes):
+                    longest[node] = max(longest[node], len(nodes))
+        return longest
+
+    @cached_property
     def longest(self) -> int:
-        """Legs of the longest run: a circle of m orientations allows m - 1."""
-        return max(len(self.line(i, j)) for i, nearest in enumerate(self.neighbours) for j in nearest)
+        """Legs of the longest run."""
+        return max(self.reach)
 
     def straight(self, stops: Sequence[int]) -> int:
         """How many inner nodes of a sequence of visits are passed straight on."""
@@ -89,8 +110,10 @@ class Lines:
     def counting_bound(self, closed: bool) -> int:
         """The most straight inner nodes that counting allows.
 
-        A run covers at most one circle of m nodes, m - 1 legs; n legs are at least ⌈n/(m - 1)⌉ runs, and
-        what joins two runs is no straight node.
+        A run of l legs arrives at l nodes, through each of which goes a run of l legs or more; so the sum of
+        1/(longest run) over all nodes that are arrived at is no more than the number of runs, and what
+        joins two runs is no straight node.
         """
-        legs = len(self) - 1 + closed
-        return legs - -(-legs // self.longest)
+        shares = [Fraction(1, legs) for legs in self.reach]
+        runs = ceil(sum(shares) - (0 if closed else max(shares)))
+        return len(self) - 1 + closed - runs

@@ -1,11 +1,13 @@
 """Tours of minimal legs with few corners, or with little turning: a search that can prove there are none.
 
 A tour is a sequence of runs; each costs the corner it begins with: 1 when stops are counted, the
-turn of the axis when that is. Depth first over sequences of runs, from one first leg, since the
-lattice's isometries take any leg to any other. What makes it fast:
+turn of the axis when that is. Depth first over sequences of runs. What makes it fast: a node still to
+visit can be reached by a run of at most l legs, l from the circles through it that are still free;
+it needs 1/l of a run, and the sum over all nodes, rounded up, is a bound on the runs.
 
-- A node still to visit can be reached by a run of at most l legs, l from the circles through it that
-  are still free; it needs 1/l of a run, and the sum over all nodes, rounded up, is a bound on the runs.
+Where isometries of the set take any leg to any other, as in the lattices, one first leg is enough
+for tours with free ends, and more can be left out:
+
 - Some reading of a closed tour of cost C and n legs has cost at most C k/n in its first k legs, at
   every corner; and of an open tour read from one end or the other, the cost up to the run with the
   middle leg is at most C/2.
@@ -17,6 +19,7 @@ from dataclasses import dataclass
 from math import lcm
 from random import Random
 
+from timelaw.tours.circles import Circle, circles
 from timelaw.tours.lines import Lines
 from timelaw.tours.symmetry import flag_stabiliser
 
@@ -33,7 +36,8 @@ class RunSearch:
     """All tours of minimal legs whose corners cost at most `budget`.
 
     `corner(i, j, k)` is what turning at j costs. `random` shuffles equally good continuations,
-    `steps` ends an attempt; without them the search is complete.
+    `steps` ends an attempt; without them the search is complete. Without `alike` it is one for tours
+    from the node `start`, and to `end` if that is given, in any set.
     """
 
     lines: Lines
@@ -42,6 +46,9 @@ class RunSearch:
     corner: Corner
     random: Random | None = None
     steps: int | None = None
+    alike: bool = True
+    start: int = 0
+    end: int | None = None
     visited_states: int = 0
 
     def __post_init__(self) -> None:
@@ -51,7 +58,7 @@ class RunSearch:
         self.near = [sum(1 << j for j in nearest) for nearest in lines.neighbours]
         self.ways = [[tuple(lines.line(i, j)) for j in nearest] for i, nearest in enumerate(lines.neighbours)]
         self.unit = lcm(*range(1, lines.longest + 1))
-        self.circles = self._circles()
+        self.circles: list[tuple[Circle, dict[int, int]]] = [(circle, {}) for circle in circles(lines)]
         self.costs = {
             (i, j, k): self.corner(i, j, k)
             for j, nearest in enumerate(lines.neighbours)
@@ -59,17 +66,19 @@ class RunSearch:
             for k in nearest
             if k != i and lines.onward.get((i, j)) != k
         }
-        self.least = min(self.costs.values())
+        self.least = min(self.costs.values(), default=0.0)
 
     def run(self) -> tuple[int, ...] | None:
         """The first tour found; None if there is none, or `steps` are used up (`finished` tells which)."""
-        first = self.ways[0][0]
-        for length in range(len(first), 0, -1):
-            if not self._in_time(0.0, 0, length):
-                break
-            self.path = [0, *first[:length]]
-            if self._extend(sum(1 << node for node in self.path), 0.0, 1):
-                return tuple(self.path)
+        ways, self.visited_states = self.ways[self.start], 0
+        self.home = 1 << self.start if self.closed else 0
+        for first in ways[:1] if self.alike else self._shuffled(ways):
+            for length in range(len(first), 0, -1):
+                if not self._in_time(0.0, 0, length):
+                    break
+                self.path = [self.start, *first[:length]]
+                if self._extend(sum(1 << node for node in self.path), 0.0, 1):
+                    return tuple(self.path)
         return None
 
     @property
@@ -79,12 +88,14 @@ class RunSearch:
 
     def _extend(self, visited: int, cost: float, runs: int) -> bool:
         self.visited_states += 1
-        if not self.finished:
+        if not self.finished or cost > self.budget + ROUNDING:
             return False
         if self.closed and self._comes_home(visited, cost):
             return True
         if visited == self.full:
-            return not self.closed
+            return not self.closed and self.end in (None, self.path[-1])
+        if self.end is not None and visited >> self.end & 1:
+            return False
         needed = self._runs_needed(visited)
         if needed is None or cost + (needed + self.closed) * self.least > self.budget + ROUNDING:
             return False
@@ -100,16 +111,16 @@ class RunSearch:
         return False
 
     def _comes_home(self, visited: int, cost: float) -> bool:
-        """Whether one more run visits all that is left and ends at node 0; it is taken."""
+        """Whether one more run visits all that is left and ends where the tour began; it is taken."""
         left = len(self.near) - visited.bit_count()
         before, last = self.path[-2:]
         for line in self.ways[last]:
             new = line[:left]
-            if len(line) <= left or line[left] != 0 or any(visited >> node & 1 for node in new):
+            if len(line) <= left or line[left] != self.start or any(visited >> node & 1 for node in new):
                 continue
             arrival = new[-1] if new else last
             entry = self.costs.get((before, last, line[0]))
-            closing = self.costs.get((arrival, 0, self.path[1]))
+            closing = self.costs.get((arrival, self.start, self.path[1]))
             if entry is not None and closing is not None and cost + entry + closing <= self.budget + ROUNDING:
                 self.path += new
                 return True
@@ -121,7 +132,7 @@ class RunSearch:
         """(rank, cost, nodes) of all runs that may come next, the most promising first."""
         before, last = self.path[-2:]
         legs, found = len(self.path) - 1, []
-        for line in self._second_runs(last) if first else self.ways[last]:
+        for line in self._second_runs(last) if first and self.alike else self.ways[last]:
             price = self.costs.get((before, last, line[0]))
             if price is None:
                 continue
@@ -144,11 +155,17 @@ class RunSearch:
         Open: if the run is not past the middle leg, and what must still be added until the run with the
         middle leg begins counts too. Closed: the corner at its start has cost something already.
         """
+        if not self.alike:
+            return True
         if self.closed:
             return (cost + self.least) * self.legs <= self.budget * legs + ROUNDING
         middle = (self.legs - 1) // 2 + 1
         runs = -(-max(middle - legs, 0) // self.lines.longest)
         return before >= middle or cost + runs * self.least <= self.budget / 2 + ROUNDING
+
+    def _shuffled(self, ways: list[tuple[int, ...]]) -> list[tuple[int, ...]]:
+        """Long ones first, equally long ones by chance."""
+        return sorted(ways, key=lambda line: (-len(line), self.random.random() if self.random else 0.0))
 
     def _second_runs(self, last: int) -> list[tuple[int, ...]]:
         """Lines from `last`, one of each class that the isometries fixing the first leg make."""
@@ -162,11 +179,15 @@ class RunSearch:
     def _runs_needed(self, visited: int) -> int | None:
         """At least so many more runs; None if some node can no longer be visited."""
         free = self.full & ~visited
-        open_nodes = free | 1 << self.path[-1] | (1 if self.closed else 0)
-        goals = free | (1 if self.closed else 0)
+        open_nodes = free | 1 << self.path[-1] | self.home
+        goals = free | self.home
         reach = 0
-        for circle, table in self.circles:
-            reach |= table[open_nodes & circle]
+        for circle, known in self.circles:
+            free_here = open_nodes & circle.mask
+            found = known.get(free_here)
+            if found is None:
+                found = known[free_here] = circle.reach(free_here, len(self.near))
+            reach |= found
         count = len(self.near)
         needed, covered = 0, 0
         for length in range(self.lines.longest, 0, -1):
@@ -188,40 +209,3 @@ class RunSearch:
             once |= near
             rest ^= low
         return (free & ~twice).bit_count() > (0 if self.closed else 1)
-
-    def _circles(self) -> list[tuple[int, dict[int, int]]]:
-        """Each great circle as bits, and for each set of its open nodes how long a run can visit each.
-
-        Node v by a run of l legs: bit N (l - 1) + v.
-        """
-        found: dict[int, tuple[int, ...]] = {}
-        for start, ways in enumerate(self.ways):
-            for line in ways:
-                nodes = (start, *line)
-                found.setdefault(sum(1 << node for node in nodes), nodes)
-        return [(mask, self._table(nodes)) for mask, nodes in found.items()]
-
-    def _table(self, nodes: tuple[int, ...]) -> dict[int, int]:
-        size, count, table = len(nodes), len(self.near), {}
-        for choice in range(1 << size):
-            reach = 0
-            for place in range(size):
-                legs = _stretch(choice, place, size)
-                if legs:
-                    reach |= 1 << count * (legs - 1) + nodes[place]
-            table[sum(1 << nodes[p] for p in range(size) if choice >> p & 1)] = reach
-        return table
-
-
-def _stretch(choice: int, place: int, size: int) -> int:
-    """Legs of the longest stretch of chosen places round a circle that contains `place`."""
-    if not choice >> place & 1:
-        return 0
-    if choice == (1 << size) - 1:
-        return size - 1
-    legs = 0
-    for step in (1, -1):
-        at = (place + step) % size
-        while choice >> at & 1:
-            legs, at = legs + 1, (at + step) % size
-    return legs

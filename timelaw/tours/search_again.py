@@ -16,7 +16,7 @@ from timelaw.errors import TimelawError
 from timelaw.orientations.lattices import LATTICES, lattice
 from timelaw.tours.lines import Lines
 from timelaw.tours.run_search import Corner, RunSearch
-from timelaw.tours.straight import stops
+from timelaw.tours.straight import one, stops
 
 SEED = 2
 STEPS = 1_000_000  # of an attempt by chance
@@ -30,7 +30,7 @@ def search(lines: Lines, goal: str, most: float, *, closed: bool, chance: bool) 
     Raises:
         TimelawError: by chance none was found, which proves nothing.
     """
-    price: Corner = _one if goal == "stops" else lines.turn
+    price: Corner = one if goal == "stops" else lines.turn
     if not chance:
         return RunSearch(lines, closed, most, price).run()
     random = Random(SEED)
@@ -39,10 +39,6 @@ def search(lines: Lines, goal: str, most: float, *, closed: bool, chance: bool) 
         if found is not None:
             return found
     raise TimelawError(f"{ATTEMPTS} attempts of {STEPS} steps have found none; that proves nothing")
-
-
-def _one(_i: int, _j: int, _k: int) -> float:
-    return 1.0
 
 
 def main(arguments: Sequence[str]) -> None:

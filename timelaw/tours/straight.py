@@ -1,8 +1,8 @@
 """Among the tours whose legs are all minimal: those with the fewest stops, or the least turning.
 
 The body need not stop where its next leg goes on along the same great circle. Small sets are
-compared exhaustively; for the 600-cell found tours are shipped as data. What they are worth is
-computed when they are loaded, never read.
+compared exhaustively; for the 600-cell found tours are shipped as data, and what they are worth is
+computed when they are loaded, never read. All others are searched by chance, with a bound by counting.
 """
 
 import json
@@ -14,26 +14,30 @@ from math import floor
 from timelaw.errors import Fault, InputError, some
 from timelaw.orientations.lattices import lattice
 from timelaw.tours.ends import Ends
-from timelaw.tours.hamiltonian import hamiltonian, obstacle
+from timelaw.tours.hamiltonian import obstacle
 from timelaw.tours.lines import Lines
-from timelaw.tours.merit import Merit, Searched
+from timelaw.tours.merit import EQUAL, Merit, Searched
 from timelaw.tours.shortest import EXACT, opened
+from timelaw.tours.straighter import Progress, straighter
 from timelaw.tours.subsets import MOST_CELLS, Move, Start, least
 from timelaw.tours.symmetry import congruence, moved
 
 DATA = "data/straight.json"
 PROVED = "exhaustive search"
 COUNTED = "counting"
+MOST_SEARCHED = 300  # orientations: half a minute
 CALM = 1e-4  # of a stop for a radian of turning: of tours with equally few stops the calmest
 STRAIGHT, TURNING = "straight nodes", "turning"
 GOALS = {STRAIGHT: "fewest-stops", TURNING: "least-turning"}
 
 
-def straightest(lines: Lines, ends: Ends, goal: str, labels: Sequence[str]) -> Searched:
+def straightest(
+    lines: Lines, ends: Ends, goal: str, labels: Sequence[str], progress: Progress | None = None
+) -> Searched:
     """The tour of minimal legs with the most straight nodes (`goal` STRAIGHT), or the least TURNING.
 
     Raises:
-        InputError: no tour has minimal legs only, or the set is too large to compare all and none is shipped.
+        InputError: no tour has minimal legs only, none was found, or the set is too large.
     """
     reason = obstacle(lines.neighbours, ends)
     if reason is not None:
@@ -41,17 +45,7 @@ def straightest(lines: Lines, ends: Ends, goal: str, labels: Sequence[str]) -> S
         raise _impossible(goal, f"there are orientations {what}: {some([labels[i] for i in nodes])}")
     if len(lines) * 2 ** len(lines) * max(map(len, lines.neighbours)) <= MOST_CELLS:
         return _exact(lines, ends, goal)
-    shipped = _shipped(lines, ends, goal)
-    if shipped is None and not lines.onward:
-        return _any_minimal(lines, ends, goal)
-    if shipped is None:
-        raise InputError(
-            Fault(
-                f'no "{GOALS[goal]}" tour of these orientations is known; use "shortest" or "fastest"',
-                "route.tour",
-            )
-        )
-    return shipped
+    return _shipped(lines, ends, goal) or _searched(lines, ends, goal, progress)
 
 
 def check(order: Sequence[int], lines: Lines, *, closed: bool) -> None:
@@ -77,35 +71,41 @@ def merits(
 ) -> tuple[Merit, ...]:
     """What a tour of minimal legs is worth, beside the bounds known: straight nodes, turning."""
     visits = stops(order, closed=closed)
-    legs = len(visits) - 1
     counted = lines.counting_bound(closed)
     most, proof = bounds.get(STRAIGHT, (counted, COUNTED))
     if most >= counted:
         most, proof = counted, COUNTED
-    corners = legs - 1 - most
-    sharp = min((t for t in _turns(lines) if t > 0), default=0.0)
+    corners = len(visits) - 2 - most
     little, why = bounds.get(TURNING, (0.0, ""))
-    if corners * sharp >= little:
-        little, why = corners * sharp, f"{corners:.0f} corners × the least turn"
+    if corners * lines.least_turn >= little:
+        little, why = corners * lines.least_turn, f"{corners:.0f} corners × the least turn"
     return (
         Merit(STRAIGHT, lines.straight(visits), most, proof, most=True),
         Merit(TURNING, lines.turning(visits), little, why),
     )
 
 
-def _turns(lines: Lines) -> set[float]:
-    """The turns that are possible at node 0, and at every other node of a lattice."""
-    return {
-        lines.turn(i, j, k) for j, near in enumerate(lines.neighbours) for i in near for k in near if i != k
-    }
-
-
-def _any_minimal(lines: Lines, ends: Ends, goal: str) -> Searched:
-    """A tour of minimal legs: as good as any where none goes straight on anywhere."""
-    order = hamiltonian(lines.neighbours, ends)
+def _searched(lines: Lines, ends: Ends, goal: str, progress: Progress | None) -> Searched:
+    """The best that a search by chance finds; the bound by counting says how good it is at least."""
+    if len(lines) > MOST_SEARCHED:
+        message = (
+            f'"{GOALS[goal]}" is searched for {MOST_SEARCHED} orientations at most, not for {len(lines)}'
+        )
+        raise InputError(Fault(f'{message}; use "shortest" or "fastest"', "route.tour"))
+    corners = len(lines) - 2 + ends.closed - lines.counting_bound(ends.closed)
+    order = straighter(lines, ends, one, corners, None, progress)
+    if goal == TURNING and order is not None:
+        calm = corners * lines.least_turn * (1 + EQUAL)
+        order = straighter(lines, ends, lines.turn, calm, order, progress)
     if order is None:
         raise _impossible(goal, "none was found")
+    check(order, lines, closed=ends.closed)
     return Searched(order, merits(lines, order, closed=ends.closed, bounds={}))
+
+
+def one(_i: int, _j: int, _k: int) -> float:
+    """The price of a corner where stops are counted."""
+    return 1.0
 
 
 def _exact(lines: Lines, ends: Ends, goal: str) -> Searched:

@@ -149,7 +149,7 @@ def _least_turning(wanted: Wanted) -> Searched:
 
 def _straightest(wanted: Wanted, goal: str) -> Searched:
     points = wanted.points
-    return straightest(Lines(points.quaternions), wanted.ends, goal, points.labels)
+    return straightest(Lines(points.quaternions), wanted.ends, goal, points.labels, wanted.progress)
 
 
 def _fastest(wanted: Wanted) -> Searched:
