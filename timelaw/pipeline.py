@@ -7,8 +7,7 @@ from pathlib import Path
 from timelaw.certificate import Certificate, certify
 from timelaw.easing import Family
 from timelaw.easing.choose import families, within
-from timelaw.easing.clock import Clock
-from timelaw.limits import limits_of
+from timelaw.easing.timing import clock
 from timelaw.motion import QuaternionLaw, compose
 from timelaw.nlp import Optimised, optimise
 from timelaw.orientations import OrientationSet, orientations
@@ -102,23 +101,9 @@ def _lay_out(
     path: Path, problem: Problem, progress: Progress | None
 ) -> tuple[OrientationSet, Tour, Route, Schedule]:
     points = orientations(problem.route.orientations, path.parent)
-    order = tour(problem.route, points, lambda: _clock(problem, points, progress), progress)
+    order = tour(problem.route, points, lambda: clock(problem, points, progress), progress)
     way = route(points, order)
     return points, order, way, schedule(problem, way)
-
-
-def _clock(problem: Problem, points: OrientationSet, progress: Progress | None) -> Clock:
-    """Times of motions under the general limits; of rules for single nodes only stops count."""
-    rules = problem.nodes.at
-    rest = problem.nodes.dwell > 0
-    resting = {
-        label for label, rule in rules.items() if rule.stop or (rest if rule.dwell is None else rule.dwell)
-    }
-    passable = [
-        i for i, label in enumerate(points.labels) if not (label in resting or (rest and label not in rules))
-    ]
-    limits = limits_of(problem.limits.given(), problem.inertia())
-    return Clock(points.quaternions, limits, passable, progress)
 
 
 def _certified(

@@ -1,7 +1,8 @@
 """How long legs and runs take at least under a problem's limits, before there is a route to choose."""
 
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Mapping, Sequence
 from functools import cache, cached_property
+from itertools import chain, pairwise
 from math import inf
 
 import numpy as np
@@ -10,7 +11,7 @@ from numpy.typing import NDArray
 from timelaw.easing import double_s
 from timelaw.easing.physical_limit import physical_limit
 from timelaw.errors import Fault, InputError
-from timelaw.limits import Limit, Momentum, Rate, binding, rows_on
+from timelaw.limits import Limit, Momentum, Rate, Row, binding, rows_on
 from timelaw.numerics.quaternion import angle_between, conjugate, multiply
 from timelaw.schedule import Demand
 from timelaw.tours.chains import Chains
@@ -19,6 +20,8 @@ Array = NDArray[np.float64]
 Progress = Callable[[str, int, int], None]
 
 BLOCK = 256  # rows of legs at a time: a few tens of megabytes also for thousands of orientations
+MOST_RUNS = 20_000
+MOST_RUNS_WITH_TORQUE = 4000  # most of which are alike
 MOST_WITH_TORQUE = 60  # nodes; each leg is a quadrature of some 15 ms
 
 
@@ -26,7 +29,9 @@ class Clock:
     """Least times [s] from rest to rest between orientations (N, 4), in closed form.
 
     The double-S profile under velocity, acceleration, jerk and momentum, the phase plane under
-    torque. The body may go through the nodes `passable` at speed, and rests at all others.
+    torque. The body may go through the nodes `passable` at speed, and rests at all others. The limits
+    `at` a node hold on the legs that meet there, besides the general ones. `rest` [s] is what any
+    tour dwells in all.
 
     Raises:
         InputError: no limit bounds some leg, or there are too many for a torque limit.
@@ -38,16 +43,27 @@ class Clock:
         limits: Collection[Limit],
         passable: Collection[int],
         progress: Progress | None = None,
+        at: Mapping[int, Sequence[Limit]] | None = None,
+        rest: float = 0.0,
     ) -> None:
+        self.rest = rest
         self._quaternions, self._limits, self._progress = quaternions, tuple(limits), progress
+        self._at = at or {}
         self.chains = Chains(quaternions, passable)
         self.run = cache(self._run)
+        self._known: dict[object, float] = {}
+        self._plain = all(isinstance(x, Rate | Momentum) for x in chain(limits, *self._at.values()))
+
+    @property
+    def most_runs(self) -> int:
+        """How many runs can be timed in some ten seconds."""
+        return MOST_RUNS if self._plain else MOST_RUNS_WITH_TORQUE
 
     @cached_property
     def legs(self) -> Array:
         """Least times (N, N) of single legs."""
         count = len(self._quaternions)
-        if all(isinstance(limit, Rate | Momentum) for limit in self._limits):
+        if self._plain:
             blocks = [self._rows(slice(at, at + BLOCK))[0] for at in range(0, count, BLOCK)]
             times = np.concatenate(blocks)
             np.fill_diagonal(times, 0.0)
@@ -81,17 +97,37 @@ class Clock:
         sizes = np.linalg.norm(turns[..., 1:], axis=-1, keepdims=True)
         axes = np.where(sizes > 0, turns[..., 1:] / np.where(sizes > 0, sizes, 1.0), [1.0, 0.0, 0.0])
         bounds = [np.full(angles.shape, inf) for _ in range(3)]
-        for limit in self._limits:
+        everywhere, first = slice(None), rows.start
+        parts = [(limit, everywhere, everywhere) for limit in self._limits]
+        for node, limits in self._at.items():
+            parts += [(limit, everywhere, slice(node, node + 1)) for limit in limits]
+            if first <= node < first + len(angles):
+                parts += [(limit, slice(node - first, node - first + 1), everywhere) for limit in limits]
+        for limit, these, those in parts:
             if isinstance(limit, Rate | Momentum) and limit.order <= 3:
-                k = limit.order - 1
-                bounds[k] = np.minimum(bounds[k], limit.bounds_on(axes))
+                bound = bounds[limit.order - 1][these, those]
+                np.minimum(bound, limit.bounds_on(axes[these, those]), out=bound)
         times = double_s.least_times(angles, *bounds)
         return np.where(np.isfinite(times), times, 0.0), angles, bounds
 
     def _run(self, stops: tuple[int, ...]) -> float:
         """Least time over visits about one axis."""
         q = self._quaternions[list(stops)]
-        angle = float(np.sum(angle_between(q[:-1], q[1:])))
+        angles = angle_between(q[:-1], q[1:])
         vector = multiply(conjugate(q[0]), q[1])[1:]
-        rows = binding(rows_on(self._limits, vector / np.linalg.norm(vector)))
-        return physical_limit([Demand(angle, rows)])
+        axis = vector / np.linalg.norm(vector)
+        if not any(node in self._at for node in stops):
+            demands = [Demand(float(np.sum(angles)), binding(rows_on(self._limits, axis)))]
+        else:
+            demands = [
+                Demand(float(angle), self._rows_between(i, j, axis))
+                for angle, (i, j) in zip(angles, pairwise(stops), strict=True)
+            ]
+        key = tuple(demand.key() for demand in demands)
+        if key not in self._known:
+            self._known[key] = physical_limit(demands)
+        return self._known[key]
+
+    def _rows_between(self, i: int, j: int, axis: Array) -> tuple[Row, ...]:
+        """All rows on the leg between two nodes."""
+        return binding(rows_on((*self._limits, *self._at.get(i, ()), *self._at.get(j, ())), axis))

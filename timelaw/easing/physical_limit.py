@@ -12,18 +12,20 @@ def physical_limit(demands: Sequence[Demand], *, moving: bool = False) -> float:
     """A time [s] that no motion over the run's angle beats, whatever its form.
 
     The double-S profile in closed form under the plain rates, and the phase plane under torque;
-    where legs of the run differ in their limits, the loosest of each counts for all. Fixed
-    durations count as they are given. A run that is entered or left `moving` has the velocity limit
-    alone for a bound.
+    where legs of the run differ in their limits, the loosest of each counts for all, and the time at each
+    leg's own velocity limit if that is longer. Fixed durations count as they are given. A run that is
+    entered or left `moving` has the velocity limit alone for a bound.
     """
+    at_speed = sum(demand.angle / rate_bounds(demand.rows)[0] for demand in demands)
     if moving:
-        return sum(demand.angle / rate_bounds(demand.rows)[0] for demand in demands)
+        return at_speed
     if all(demand.duration is not None for demand in demands):
         return sum(demand.duration or 0.0 for demand in demands)
     angle = sum(demand.angle for demand in demands)
     loosest = [max(bounds) for bounds in zip(*(rate_bounds(d.rows) for d in demands), strict=True)]
     least = double_s.least_time(angle, loosest[0], loosest[1], loosest[2]) if min(loosest) < inf else 0.0
-    alike = len({demand.rows for demand in demands}) == 1
+    least = max(least, at_speed)
+    alike = len({demand.rows_key() for demand in demands}) == 1
     if alike and phase_plane.has_torque(demands[0].rows):
         return max(least, phase_plane.least_time(angle, demands[0].rows))
     return least

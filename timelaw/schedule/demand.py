@@ -20,9 +20,12 @@ class Demand:
 
     def key(self) -> tuple[object, ...]:
         """Equal for demands that have equal solutions: numbers agree to 13 digits, as lattices' do."""
-        rows = tuple((row.label, *(_digits(c) for c in row.coefficients())) for row in self.rows)
         torque = tuple(_digits(c) for c in self.torque.coefficients()) if self.torque else ()
-        return (_digits(self.angle), rows, self.duration, torque)
+        return (_digits(self.angle), self.rows_key(), self.duration, torque)
+
+    def rows_key(self) -> tuple[object, ...]:
+        """Equal for demands whose rows are the same."""
+        return tuple((row.label, *(_digits(c) for c in row.coefficients())) for row in self.rows)
 
 
 def _digits(value: float) -> str:

@@ -10,6 +10,7 @@ from timelaw.errors import Fault, InputError, some
 from timelaw.limits import Bounds, RateRow, binding, limits_of, rows_on
 from timelaw.limits.torque import torque_norm
 from timelaw.problem.model import Problem
+from timelaw.problem.route import SEARCHED
 from timelaw.problem.rules import NodeRule, SegmentRule
 from timelaw.route import Route, Run
 from timelaw.schedule.demand import Demand
@@ -95,7 +96,8 @@ def _node_rules(problem: Problem, route: Route) -> dict[int, NodeRule]:
                 Fault(f'the tour has no node "{label}"; it has {some(labels)}', f"nodes.at.{label}")
             )
         index = labels.index(label)
-        if index in (0, len(labels) - 1) and (rule.stop or (rule.time is not None and index == 0)):
+        stop = rule.stop and problem.route.tour not in SEARCHED  # a searched tour may end where one is due
+        if index in (0, len(labels) - 1) and (stop or (rule.time is not None and index == 0)):
             message = (
                 f'"{label}" is where the motion starts or ends; "stop" and a start time have no meaning there'
             )
@@ -123,9 +125,11 @@ def _leg_limits(
         (i, f"segments.{route.legs[i].origin}-{route.legs[i].target}", rule.limits)
         for i, rule in legs.items()
     ]
+    closed = route.nodes[0].label == route.nodes[-1].label
     for node, rule in rules.items():
         where = f"nodes.at.{route.nodes[node].label}"
-        given += [(i, where, rule.limits) for i in (node - 1, node) if 0 <= i < len(route.legs)]
+        meet = (node - 1 if node or not closed else len(route.legs) - 1, node)
+        given += [(i, where, rule.limits) for i in meet if 0 <= i < len(route.legs)]
     found: dict[int, dict[str, Bounds]] = {}
     for index, where, limits in given:
         for name, bounds in limits.given().items() if limits else ():

@@ -8,73 +8,85 @@ from numpy.typing import NDArray
 from timelaw.numerics.quaternion import conjugate, multiply
 
 Array = NDArray[np.float64]
+Leg = tuple[int, int, int]  # from, to, sense
 
 SAME_AXIS = 1e-7  # rad, as for routes: quaternions typed with seven digits still go straight
 HALF_TURN = 1e-9  # |q_i·q_j| below which a leg may turn either way round
+SENSE = (1.0, 0.6180339887, 0.3183098862)  # no axis of a lattice is at right angles to it
 
 
 class Chains:
     """For a leg i → j, the nodes k with the axis of j → k equal to its own, nearest first.
 
-    Only at nodes that the body may pass; half-turns have both senses.
+    A half-turn has two senses, and keeps the one it began with: sense 1 is about the axis that is more than
+    a right angle from a fixed one; all other legs have sense 0. Runs go on at `passable` nodes only.
     """
 
     def __init__(self, quaternions: Array, passable: Collection[int]) -> None:
-        self._onward: dict[tuple[int, int], list[int]] = {}
-        for j in sorted(passable):
-            for i, k in _pairs(quaternions, j):
-                self._onward.setdefault((i, j), []).append(k)
-        for (_, j), nodes in self._onward.items():
-            nodes.sort(key=lambda k, j=j: -abs(float(quaternions[j] @ quaternions[k])))  # type: ignore[misc]
+        self._count, self._passable = len(quaternions), frozenset(passable)
+        self._onward: dict[Leg, list[tuple[int, int]]] = {}
+        for j in range(len(quaternions)):
+            for i, sense, k, after in _pairs(quaternions, j):
+                self._onward.setdefault((i, j, sense), []).append((k, after))
+        for (_, j, _), nodes in self._onward.items():
+            nodes.sort(key=lambda k, j=j: -abs(float(quaternions[j] @ quaternions[k[0]])))  # type: ignore[misc]
 
     def __bool__(self) -> bool:
-        return bool(self._onward)
-
-    def goes_on(self, i: int, j: int, k: int) -> bool:
-        """Whether the body need not stop at j between i and k."""
-        return k in self._onward.get((i, j), ())
+        return any(j in self._passable for _, j, _ in self._onward)
 
     def legs(self) -> Iterator[tuple[int, int]]:
         """All legs that can be a part of a run of more than one."""
-        for (i, j), onward in self._onward.items():
-            yield i, j
-            yield from ((j, k) for k in onward)
+        for (i, j, _), onward in self._onward.items():
+            if j in self._passable:
+                yield i, j
+                yield from ((j, k) for k, _ in onward)
 
     def runs(self) -> Iterator[tuple[int, ...]]:
-        """All sequences of at least three different nodes about one axis."""
-        for leg in self._onward:
-            waiting: list[tuple[int, ...]] = [leg]
+        """All sequences of three and more different nodes about one axis; a whole ring ends at its start."""
+        for i, j, sense in self._onward:
+            waiting: list[tuple[tuple[int, ...], int]] = [((i, j), sense)]
             while waiting:
-                run = waiting.pop()
-                for node in self._onward.get((run[-2], run[-1]), ()):
+                run, last = waiting.pop()
+                for node, after in self._onward.get((run[-2], run[-1], last), ()):
+                    if run[-1] not in self._passable:
+                        break
                     if node not in run:
-                        waiting.append((*run, node))
+                        waiting.append(((*run, node), after))
+                        yield (*run, node)
+                    elif node == run[0] and len(run) == self._count:
                         yield (*run, node)
 
     def split(self, stops: tuple[int, ...]) -> list[tuple[int, ...]]:
-        """A sequence of visits as runs, each with both its ends."""
-        runs, first = [], 0
+        """A sequence of visits as runs, each with both its ends; half-turns go on as routes have it."""
+        runs, first, senses = [], 0, {0, 1}
         for at in range(1, len(stops) - 1):
-            if not self.goes_on(*stops[at - 1 : at + 2]):
+            i, j, k = stops[at - 1 : at + 2]
+            onward = [way for sense in senses for way in self._onward.get((i, j, sense), ())]
+            senses = {after for node, after in onward if node == k}
+            if not senses or j not in self._passable:
                 runs.append(stops[first : at + 1])
                 first = at
+            senses = senses or {0, 1}
         return [*runs, stops[first:]]
 
 
-def _pairs(quaternions: Array, j: int) -> list[tuple[int, int]]:
-    """Pairs (i, k) such that i → j and j → k turn about one axis in one sense."""
+def _pairs(quaternions: Array, j: int) -> list[tuple[int, int, int, int]]:
+    """(i, its sense, k, its sense) of all legs i → j and j → k that turn about one axis in one sense."""
     from scipy.spatial import cKDTree
 
     turns = multiply(conjugate(quaternions[j]), quaternions)
     turns = turns * np.where(turns[:, :1] < 0, -1.0, 1.0)
     nodes = np.flatnonzero(np.linalg.norm(turns[:, 1:], axis=1) > SAME_AXIS)
     axes = turns[nodes, 1:] / np.linalg.norm(turns[nodes, 1:], axis=1, keepdims=True)
-    both = np.abs(turns[nodes, 0]) <= HALF_TURN
-    nodes, axes = np.concatenate([nodes, nodes[both]]), np.concatenate([axes, -axes[both]])
+    half = np.abs(turns[nodes, 0]) <= HALF_TURN
+    nodes, axes = np.concatenate([nodes, nodes[half]]), np.concatenate([axes, -axes[half]])
     if not len(nodes):
         return []
+    half = np.concatenate([half, half[half]])
+    leaving = half & (axes @ SENSE < 0)
+    arriving = half & (axes @ SENSE > 0)  # i → j turns about the axis opposite to that of j → i
     found = {
-        (int(nodes[a]), int(nodes[b]))
+        (int(nodes[a]), int(arriving[a]), int(nodes[b]), int(leaving[b]))
         for a, near in enumerate(cKDTree(axes).query_ball_point(-axes, SAME_AXIS))
         for b in near
         if nodes[a] != nodes[b]

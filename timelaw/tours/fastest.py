@@ -21,7 +21,6 @@ Progress = Callable[[str, int, int], None]
 TIME = "time"
 ROUNDING = 1e-12  # relative; smaller gains of time are rounding
 MOST_MOVES = 4000  # for comparing all: a few seconds
-MOST_RUNS = 20_000  # that are timed one by one
 MOST_POLISHED = 150  # nodes; above it moves are not tried one by one
 POLISHING = 100_000  # variants of a tour that are timed
 STRETCH = 8  # nodes a polishing move takes along
@@ -33,6 +32,8 @@ class Clock(Protocol):
     No run takes less than its legs' times at the velocity limit. Arrays (N, N) are symmetric.
     """
 
+    rest: float  # what every tour dwells in all
+
     @property
     def legs(self) -> Array:
         """Single legs from rest to rest."""
@@ -41,6 +42,11 @@ class Clock(Protocol):
     @property
     def cruise(self) -> Array:
         """Legs at the velocity limit all along; 0 where there is none."""
+        ...
+
+    @property
+    def most_runs(self) -> int:
+        """How many runs can be timed in some ten seconds."""
         ...
 
     @property
@@ -61,7 +67,7 @@ def fastest(
     `known` are tours to begin from, besides the one that is short in time when all nodes are stops.
     """
     count = len(clock.legs)
-    runs = _runs(clock)
+    runs = _runs(clock, progress)
     exact = _compared(clock, ends, runs)
     if exact is not None:
         return exact
@@ -73,22 +79,29 @@ def fastest(
     if clock.chains and count <= MOST_POLISHED:
         order = _polished(clock, order, ends, progress)
     total = duration(clock, order, closed=ends.closed)
-    bound = held_karp(charges, ends, total, progress)
-    return Searched(order, (Merit(TIME, total, bound, TREES),))
+    bound = max(held_karp(charges, ends, total, progress), 0.0)
+    return Searched(order, (Merit(TIME, total + clock.rest, bound + clock.rest, TREES),))
 
 
 def duration(clock: Clock, order: Order, *, closed: bool) -> float:
-    """Least time [s] of a tour, from rest to rest over each of its runs."""
+    """Least time [s] of a tour without its dwells, from rest to rest over each of its runs."""
     stops = (*order, order[0]) if closed else order
     return sum(
         float(clock.legs[run]) if len(run) == 2 else clock.run(run) for run in clock.chains.split(stops)
     )
 
 
-def _runs(clock: Clock) -> dict[Order, float] | None:
+def _runs(clock: Clock, progress: Progress | None) -> dict[Order, float] | None:
     """Times of all runs of more than one leg; None if there are too many."""
-    found = list(islice(clock.chains.runs(), MOST_RUNS + 1))
-    return {run: clock.run(run) for run in found} if len(found) <= MOST_RUNS else None
+    found = list(islice(clock.chains.runs(), clock.most_runs + 1))
+    if len(found) > clock.most_runs:
+        return None
+    times = {}
+    for at, run in enumerate(found):
+        times[run] = clock.run(run)
+        if progress is not None:
+            progress("times of runs", at, len(found))
+    return times
 
 
 def _compared(clock: Clock, ends: Ends, runs: dict[Order, float] | None) -> Searched | None:
@@ -105,7 +118,8 @@ def _compared(clock: Clock, ends: Ends, runs: dict[Order, float] | None) -> Sear
             found = result
     assert found is not None  # every order is a tour
     order = opened(found.nodes, closed=ends.closed)
-    return Searched(order, (Merit(TIME, duration(clock, order, closed=ends.closed), found.cost, EXACT),))
+    total = duration(clock, order, closed=ends.closed)
+    return Searched(order, (Merit(TIME, total + clock.rest, found.cost + clock.rest, EXACT),))
 
 
 def _starts(ends: Ends, runs: dict[Order, float]) -> list[Ends]:

@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from timelaw.numerics.quaternion import conjugate, multiply
-from timelaw.tours.nearest import NEIGHBOUR_TOLERANCE, distances, nearest_neighbours
+from timelaw.tours.chains import SAME_AXIS
+from timelaw.tours.nearest import distances, nearest_neighbours
 
 Array = NDArray[np.float64]
 
@@ -51,17 +52,17 @@ class Lines:
         for i, nearest in enumerate(self.neighbours):
             turns = multiply(conjugate(q[i]), q[nearest])
             reached = multiply(q[nearest], turns)
-            cosines = np.abs(reached @ q.T)
-            for j, row in zip(nearest, cosines, strict=True):
+            for j, row in zip(nearest, np.abs(reached @ q.T), strict=True):
                 k = int(np.argmax(row))
-                if row[k] > 1 - NEIGHBOUR_TOLERANCE and k != i and k in self.neighbours[j]:
+                if k != i and k in self.neighbours[j] and self._turn(i, j, k) <= SAME_AXIS:
                     found[i, j] = k
         return found
 
     def turn(self, i: int, j: int, k: int) -> float:
         """Angle [rad] by which the axis turns at j, between the legs from i and to k; 0 straight on."""
-        if self.onward.get((i, j)) == k:
-            return 0.0
+        return 0.0 if self.onward.get((i, j)) == k else self._turn(i, j, k)
+
+    def _turn(self, i: int, j: int, k: int) -> float:
         before, after = self.axes[i, j], self.axes[j, k]
         return float(np.arctan2(np.linalg.norm(np.cross(before, after)), before @ after))
 
@@ -114,6 +115,14 @@ class Lines:
         1/(longest run) over all nodes that are arrived at is no more than the number of runs, and what
         joins two runs is no straight node.
         """
+        if closed and self._is_ring():
+            return len(self) - 1
         shares = [Fraction(1, legs) for legs in self.reach]
         runs = ceil(sum(shares) - (0 if closed else max(shares)))
         return len(self) - 1 + closed - runs
+
+    def _is_ring(self) -> bool:
+        """Whether one circle goes through all nodes: a closed tour rounds it in one run."""
+        rounds = ((i, *self.line(i, j)) for i in range(len(self)) for j in self.neighbours[i])
+        whole = next((nodes for nodes in rounds if len(nodes) == len(self) > 2), None)
+        return whole is not None and self.onward.get((whole[-2], whole[-1])) == whole[0]

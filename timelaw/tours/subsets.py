@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 MOST_NODES = 16  # 2^16 subsets of 16 places: half a second for single legs
 MOST_CELLS = 20_000_000  # states × subsets: 160 MB
-TIE = 1e-9  # relative; costs that differ by less are equal
+TIE = 1e-9  # of the cost of the whole; costs that differ by less are equal
 
 
 @dataclass(frozen=True)
@@ -116,13 +116,14 @@ def _traced(
         into.setdefault(move.target, []).append(move)
     mask = cost.shape[1] - 1
     nodes: tuple[int, ...] = ()
+    tie = TIE * abs(cost[state, mask])
     while (state, mask) not in starts or (mask and cost[state, mask] > 0):
         here = cost[state, mask]
         for move in into[state]:
             before = mask & ~move.mask
             if move.mask & ~mask or not np.isfinite(cost[move.origin, before]):
                 continue
-            if abs(cost[move.origin, before] + move.cost - here) <= TIE * max(1.0, abs(here)):
+            if abs(cost[move.origin, before] + move.cost - here) <= tie:
                 nodes, state, mask = move.nodes + nodes, move.origin, before
                 break
     return state, nodes
