@@ -193,7 +193,7 @@ FAULTS = {
     "lattice: 600-cell, symmetry: m3m": '4:47: route.orientations.symmetry: "m3m"; allowed: 1, -1, 2, 2/m, 222, mmm, 4, 4/m, 422, 4/mmm, 3, -3, 32, -3m, 6, 6/m, 622, 6/mmm, 23, m-3, 432, m-3m, or I, O, T, C1 to C12, D1 to D12; did you mean "m-3m"?',
     "lattice: 24-cell, turned: {world: [1, 1, 0, 0]}": "4:52: route.orientations.turned.world: expected a unit quaternion [w, x, y, z]",
     "uniform: {fill: 20}": '4:34: route.orientations.uniform.fill: "20" has no unit; write an angle like "20 deg"',
-    "uniform: {fill: 5 deg}": "4:34: route.orientations.uniform.fill: 5° needs more than 5000 orientations, which reach about 13°",
+    "uniform: {fill: 5 deg}": "4:34: route.orientations.uniform.fill: 5° needs more than 5000 orientations, which reach 13.14°",
     "list: [[1, 0, 0, 0], [-1, 0, 0, 0]], duplicates: merge": "4:17: route.orientations: all orientations are the same; at least two are needed",
 }
 

@@ -11,7 +11,8 @@ from timelaw.errors import TimelawError
 if TYPE_CHECKING:
     from timelaw.certificate import Certificate
 
-UNBOUNDED = 1000  # columns where no terminal sets the width
+UNBOUNDED = 1000  # characters where no terminal sets the width, and more for many columns
+CELL = 12
 
 
 def print_json(data: dict[str, Any]) -> None:
@@ -59,7 +60,7 @@ def print_table(headings: list[str], rows: list[list[str]]) -> None:
         table.add_column(Text(heading), justify="right" if index else "left", no_wrap=True)
     for row in rows:
         table.add_row(*map(Text, row))  # labels may hold what markup looks like
-    width = None if sys.stderr.isatty() else UNBOUNDED
+    width = None if sys.stderr.isatty() else max(UNBOUNDED, CELL * len(headings))
     Console(stderr=True, highlight=False, width=width).print(table)
 
 

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from timelaw.cli.console import print_json, print_table, progress, say
-from timelaw.errors import EXIT_DONE
+from timelaw.errors import EXIT_DONE, InputError
 from timelaw.export.atomic import write_text
 from timelaw.pipeline import Layout, lay_out
 from timelaw.time_law import physical_limit
@@ -15,9 +15,15 @@ from timelaw.tours import sharpened
 from timelaw.tours.report import arc_table, certificate, merit_data, notes, orientation_csv
 from timelaw.tours.straight import STRAIGHT
 
+PICTURE = ".svg"
+
 
 def run(problem: str, output: str | None, *, table: bool, as_json: bool) -> int:
     """Show the tour of a problem file; returns the exit code."""
+    if output is not None and Path(output).suffix.lower() == PICTURE:
+        raise InputError(
+            f'-o "{output}": it names the orientation file, such as tour.csv; the picture goes beside it'
+        )
     with progress() as report:
         layout = lay_out(problem, report)
         layout = replace(layout, tour=sharpened(layout.tour, layout.orientations, report))
@@ -30,9 +36,9 @@ def run(problem: str, output: str | None, *, table: bool, as_json: bool) -> int:
 
         path = Path(output)
         write_text(path, orientation_csv(layout.orientations, layout.tour))
-        write_text(path.with_suffix(".svg"), traces(layout.problem.name, layout.route))
-        found["files"] = [str(path), str(path.with_suffix(".svg"))]
-        say(f"orientations in the tour's order: {path}; picture: {path.with_suffix('.svg')}")
+        write_text(path.with_suffix(PICTURE), traces(layout.problem.name, layout.route))
+        found["files"] = [str(path), str(path.with_suffix(PICTURE))]
+        say(f"orientations in the tour's order: {path}; picture: {path.with_suffix(PICTURE)}")
     if as_json:
         print_json({"ok": True, "exit_code": EXIT_DONE, **found})
     return EXIT_DONE

@@ -40,25 +40,22 @@ def rotation_group(name: str) -> Array:
 
 
 def firsts(quaternions: Array, tolerance: float, group: Array | None = None) -> list[int]:
-    """For each orientation of (N, 4) the first it is the same as, itself if there is none.
+    """For each orientation of (N, 4) the first of those kept that it is the same as, itself if none is.
 
-    q_i and q_j are the same if some s of the group turns q_j ⊗ s to within `tolerance` [rad] of ±q_i.
+    q_i and q_j are the same if some s of the group turns q_j ⊗ s to within `tolerance` [rad] of ±q_i. An
+    orientation is kept if it is the same as none kept before it.
     """
     from scipy.spatial import cKDTree
 
     tree = cKDTree(quaternions)
     chord = 2 * np.sin(tolerance / 4)
-    first = list(range(len(quaternions)))
+    near: list[set[int]] = [set() for _ in quaternions]
     for turn in np.eye(4)[:1] if group is None else group:
         turned = multiply(quaternions, turn)
         for sign in (1.0, -1.0):
-            for i, near in enumerate(tree.query_ball_point(sign * turned, chord)):
-                first[i] = min(first[i], *near) if near else first[i]
-    return _settled(first)
-
-
-def _settled(first: list[int]) -> list[int]:
-    """What is the same as one that is itself left out is the same as the one kept for it."""
-    for i, j in enumerate(first):
-        first[i] = first[j]  # j ≤ i is settled already
+            for i, found in enumerate(tree.query_ball_point(sign * turned, chord)):
+                near[i].update(j for j in found if j < i)
+    first = list(range(len(quaternions)))
+    for i, before in enumerate(near):
+        first[i] = min((j for j in before if first[j] == j), default=i)
     return first

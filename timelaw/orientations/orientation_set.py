@@ -86,6 +86,9 @@ def _from_file(spec: Orientations, path: Path, writing: Writing | None) -> Orien
     """A table, or the angle file of a texture tool, known by its ending."""
     source = spec.file or ""
     if path.suffix.lower() in READERS and writing is None:
+        if spec.columns is not None:
+            message = f'{path.suffix} files have their own columns; give "as" too, or leave "columns" away'
+            raise InputError(Fault(message, "route.orientations.columns"))
         points, left_out = read_angles(path)
         notes = (f"{left_out} points of {source} were not indexed and are left out",) if left_out else ()
         return OrientationSet(points, _numbers(len(points)), source, notes=notes)

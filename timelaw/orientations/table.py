@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from timelaw.errors import Fault, InputError
 from timelaw.orientations.forms import FORMS, Writing, fault_in, quaternions
 from timelaw.problem.load import read_text
+from timelaw.problem.values import MOST
 
 LABEL = "label"
 NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d{1,3})?")
@@ -108,11 +109,13 @@ def _numbers(row: list[str], places: list[int], path: Path, line: int, writing: 
 
 
 def number(cell: str, path: Path, line: int) -> float:
-    """A cell as a finite number."""
+    """A cell as a number that can be reckoned with."""
     text = cell.strip()
     if not NUMBER.fullmatch(text):
         raise fault(f'"{text}" is not a number', path, line)
-    return float(text)
+    if not abs(value := float(text)) <= MOST:
+        raise fault(f'"{text}" is out of range; {MOST:g} at most is allowed', path, line)
+    return value
 
 
 def _labels(header: list[str], rows: list[Row], path: Path) -> tuple[str, ...] | None:

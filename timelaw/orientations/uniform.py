@@ -48,8 +48,6 @@ def uniform(fill: float) -> tuple[Array, str | None]:
         if fill_distance(points) <= fill:
             return points, None
         count = max(count + 1, int(count * STEP))
-    message = (
-        f"{np.degrees(fill):.4g}° needs more than {MOST} orientations, which reach "
-        f"about {np.degrees((NEEDED / MOST) ** (1 / 3)):.0f}°"
-    )
+    reached = np.degrees(fill_distance(super_fibonacci(MOST)))
+    message = f"{np.degrees(fill):.4g}° needs more than {MOST} orientations, which reach {reached:.2f}°"
     raise InputError(Fault(message, "route.orientations.uniform.fill"))

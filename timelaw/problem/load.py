@@ -7,7 +7,8 @@ from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
 from timelaw.errors import Fault, InputError
-from timelaw.problem.model import Problem
+from timelaw.problem.model import NAME, Problem
+from timelaw.problem.route import SEQUENCE
 from timelaw.problem.source import Path as Where
 from timelaw.problem.source import Source, read
 from timelaw.problem.values import nearest, quoted
@@ -85,6 +86,12 @@ def _fault(source: Source, details: ErrorDetails, model: type[BaseModel]) -> Fau
     return source.fault(where, f"{quoted(given)}; {_expectation(kind, given, context, details['msg'])}")
 
 
+PATTERNS = {
+    NAME: "letters, digits, '.', '_' and '-' are allowed, a letter or digit first",
+    SEQUENCE: "three of X, Y, Z, which turn with the body, or three of x, y, z about fixed axes are needed",
+}
+
+
 def _expectation(kind: str, given: Any, context: dict[str, Any], message: str) -> str:
     """What is allowed instead, in the words of this program."""
     if kind == "literal_error":
@@ -102,7 +109,7 @@ def _expectation(kind: str, given: Any, context: dict[str, Any], message: str) -
         "greater_than_equal": f"at least {context.get('ge')} is needed",
         "less_than_equal": f"at most {context.get('le')} is allowed",
         "string_too_long": f"at most {context.get('max_length')} characters are allowed",
-        "string_pattern_mismatch": "letters, digits, '.', '_' and '-' are allowed, a letter or digit first",
+        "string_pattern_mismatch": PATTERNS.get(context.get("pattern", ""), message),
     }.get(kind, message)
 
 

@@ -23,6 +23,7 @@ EASING_KEYS = {
     "double-s": (),
     "auto": ("within",),
 }
+NAME = r"^[A-Za-z0-9][A-Za-z0-9._-]*$"
 NEEDS_INERTIA = ("torque", "momentum")
 NEEDS_CONTINUITY = {"jerk": 2, "snap": 3}  # where a rate jumps, the next one cannot be bounded
 
@@ -58,7 +59,7 @@ class Problem(Model):
     """A problem file, version 1."""
 
     timelaw: Literal[1]
-    name: Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]*$", max_length=100)]
+    name: Annotated[str, Field(pattern=NAME, max_length=100)]
     route: RouteModel
     body: Body | None = None
     limits: Limits

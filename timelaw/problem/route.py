@@ -15,6 +15,7 @@ FormName = Literal["wxyz", "xyzw", "rotation-vector", "matrix", "euler"]
 SOURCES = ("lattice", "file", "list", "uniform")
 SAME = 1e-6  # rad; below it two orientations are one, and the axis between them is noise
 LEAST_FILL, LARGEST_FILL = 1e-3, 3.2  # rad; half a turn is as far as orientations get
+SEQUENCE = r"^([XYZ]{3}|[xyz]{3})$"
 NEEDS = {"rotation-vector": ("unit",), "euler": ("sequence", "unit")}
 CUSTOM = ("form", "sequence", "unit", "columns")
 ALIASES = {"form": "as"}
@@ -28,6 +29,8 @@ class Uniform(Model):
 
 def _numbers(value: Any) -> Any:
     """A row of numbers, or a matrix as three rows."""
+    if _is_matrix(value) and any(len(row) != 3 for row in value):
+        raise fault("a matrix has three rows of three numbers")
     flat = [v for row in value for v in row] if _is_matrix(value) else value
     good = isinstance(flat, list) and all(
         isinstance(v, int | float) and not isinstance(v, bool) and isfinite(v) and abs(v) <= MOST
@@ -74,11 +77,11 @@ class Orientations(Model):
     list: Annotated[tuple[Numbers, ...] | None, BeforeValidator(as_tuple)] = None
     uniform: Uniform | None = None
     form: Annotated[FormName | None, Field(alias="as")] = None
-    sequence: Annotated[str | None, Field(pattern=r"^([XYZ]{3}|[xyz]{3})$")] = None
+    sequence: Annotated[str | None, Field(pattern=SEQUENCE)] = None
     unit: Literal["deg", "rad"] | None = None
     columns: Annotated[tuple[str, ...] | None, BeforeValidator(as_tuple)] = None
     turned: Turned | None = None
-    symmetry: str | None = None
+    symmetry: Annotated[str | None, BeforeValidator(lambda value: _class(value))] = None
     duplicates: Literal["merge"] | None = None
     tolerance: Annotated[float, quantity(ANGLE, SAME, 0.2)] = SAME
 
@@ -89,6 +92,12 @@ class Orientations(Model):
             raise fault('give exactly one of "lattice", "file", "list", "uniform"')
         if self.list is not None and len(self.list) < 2:
             raise fault("a list needs at least two orientations")
+        return self
+
+    @model_validator(mode="after")
+    def _columns_differ(self) -> Self:
+        if self.columns is not None and not 0 < len(set(self.columns)) == len(self.columns):
+            raise fault("as many different names as the form has numbers are needed", "columns")
         return self
 
     @model_validator(mode="after")
@@ -138,6 +147,11 @@ class RouteModel(Model):
             message = f'"{self.end}" is the start too; a tour that ends where it starts is "closed: true"'
             raise fault(message, "end")
         return self
+
+
+def _class(value: Any) -> Any:
+    """A crystal class, which YAML may take for a number, as in 432."""
+    return str(value) if isinstance(value, int) and not isinstance(value, bool) else value
 
 
 def _label(value: Any) -> str:

@@ -22,14 +22,17 @@ class Merit:
     def is_best(self) -> bool:
         """Whether the bound is reached, which proves the tour best in this."""
         short = self.bound - self.value if self.most else self.value - self.bound
-        return short <= EQUAL * max(1.0, abs(self.bound))
+        return short <= EQUAL * abs(self.bound)
 
     @property
     def gap(self) -> float:
-        """How far from the bound, as a part of it; the true gap to the best tour is not larger."""
+        """How far from the bound, as a part of it; the true gap to the best tour is not larger.
+
+        Infinite where the bound says nothing.
+        """
         if self.is_best:
             return 0.0
-        return abs(self.value - self.bound) / self.bound if self.bound else float("inf")
+        return abs(self.value - self.bound) / self.bound if self.bound > 0 else float("inf")
 
 
 @dataclass(frozen=True)

@@ -1,6 +1,7 @@
 """What is to be said of a tour: legs and turns, its certificate, the paper's distance table."""
 
-from math import ceil
+from decimal import ROUND_FLOOR, ROUND_HALF_EVEN, Decimal
+from math import ceil, isfinite
 from typing import Any
 
 import numpy as np
@@ -30,13 +31,13 @@ def certificate(tour: Tour) -> list[str]:
 
 
 def merit_data(merit: Merit) -> dict[str, Any]:
-    """A merit as plain data; angles in degrees."""
+    """A merit as plain data; angles in degrees; no gap where the bound says nothing."""
     scale = np.degrees(1.0) if merit.name in ANGLES else 1.0
     return {
         "name": merit.name,
         "value": merit.value * scale,
         "bound": merit.bound * scale,
-        "gap": merit.gap,
+        "gap": merit.gap if isfinite(merit.gap) else None,
         "is_best": merit.is_best,
         "proof": merit.proof,
     }
@@ -50,7 +51,9 @@ def _sentence(tour: Tour, merit: Merit) -> str:
             "no tour by minimal legs has more" if merit.is_best else f"{merit.bound:.0f} at most can"
         )
     what, comparative, excess = WORDS[merit.name]
-    value, bound = (_quantity(merit, number) for number in (merit.value, merit.bound))
+    value, bound = _quantity(merit, merit.value), _quantity(merit, merit.bound, down=not merit.is_best)
+    if not isfinite(merit.gap):
+        return f"{what} {value}; no bound is known for how much {comparative} a tour can be"
     if merit.proof == MINIMAL:
         legs = f"{tour.legs} legs × the minimal distance {np.degrees(tour.minimal):.6g}°"
         if merit.is_best:
@@ -66,14 +69,22 @@ def _sentence(tour: Tour, merit: Merit) -> str:
     )
 
 
-def _quantity(merit: Merit, number: float) -> str:
-    return f"{np.degrees(number):.6g}°" if merit.name in ANGLES else f"{number:.4f} s"
+def _quantity(merit: Merit, number: float, *, down: bool = False) -> str:
+    """An angle to six digits or a time to 0.1 ms, bounds never above what is proved."""
+    angle = merit.name in ANGLES
+    shown = Decimal(np.degrees(number) if angle else number)
+    step = Decimal(1).scaleb(shown.adjusted() - 5 if angle else -4)
+    rounded = (shown / step).to_integral_value(ROUND_FLOOR if down else ROUND_HALF_EVEN) * step
+    return f"{float(rounded):.6g}°" if angle else f"{rounded:.4f} s"
 
 
 def notes(points: OrientationSet) -> list[str]:
     """What there is to say of the orientations: what was left out, merged, or is the same."""
     same = some([f"{other} is {one}" for one, other in points.same])
-    return [*points.notes, *([f"some orientations are the same up to sign: {same}"] if points.same else [])]
+    return [
+        *points.notes,
+        *([f"some orientations are the same, q and -q being one: {same}"] if points.same else []),
+    ]
 
 
 def arc_table(points: OrientationSet) -> Array:
