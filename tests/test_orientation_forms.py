@@ -192,6 +192,10 @@ FAULTS = {
     "lattice: 24-cell, columns: [a]": '4:45: route.orientations.columns: it describes what a "file" holds',
     "lattice: 600-cell, symmetry: m3m": '4:47: route.orientations.symmetry: "m3m"; allowed: 1, -1, 2, 2/m, 222, mmm, 4, 4/m, 422, 4/mmm, 3, -3, 32, -3m, 6, 6/m, 622, 6/mmm, 23, m-3, 432, m-3m, or I, O, T, C1 to C12, D1 to D12; did you mean "m-3m"?',
     "lattice: 24-cell, turned: {world: [1, 1, 0, 0]}": "4:52: route.orientations.turned.world: expected a unit quaternion [w, x, y, z]",
+    "list: [[1, 0, 0], [0, 1, 0]], as: euler, unit: deg, sequence: ZxZ": '4:80: route.orientations.sequence: "ZxZ"; three of X, Y, Z, which turn with the body, or three of x, y, z about fixed axes are needed',
+    "list: [[[1,0,0,0],[1,0],[0,0,1]], [[1,0,0],[0,1,0],[0,0,1]]], as: matrix": "4:25: route.orientations.list[1]: a matrix has three rows of three numbers",
+    "file: a.ang, columns: [a, b, c]": '4:40: route.orientations.columns: .ang files have their own columns; give "as" too, or leave "columns" away',
+    "file: a.csv, columns: [w, w, y, z]": "4:40: route.orientations.columns: as many different names as the form has numbers are needed",
     "uniform: {fill: 20}": '4:34: route.orientations.uniform.fill: "20" has no unit; write an angle like "20 deg"',
     "uniform: {fill: 5 deg}": "4:34: route.orientations.uniform.fill: 5° needs more than 5000 orientations, which reach 13.14°",
     "list: [[1, 0, 0, 0], [-1, 0, 0, 0]], duplicates: merge": "4:17: route.orientations: all orientations are the same; at least two are needed",
@@ -223,6 +227,28 @@ def test_faults_of_angle_files(name, tmp_path):
     with pytest.raises(InputError) as error:
         read(f"file: {name}", tmp_path)
     assert str(error.value) == message.format(path=tmp_path / name)
+
+
+@pytest.mark.parametrize("number", ["1e999", "-1e12"])
+@pytest.mark.parametrize("form", ["rotation-vector, unit: rad", "euler, unit: deg, sequence: ZYX", "matrix"])
+def test_numbers_that_cannot_be_reckoned_with(number, form, tmp_path):
+    rest = ",0" * (8 if form == "matrix" else 2)
+    (tmp_path / "a.csv").write_text(f"{number}{rest}\n0{rest}\n")
+    with pytest.raises(
+        InputError, match=rf'a\.csv:1:1: "{number}" is out of range; 1e\+09 at most is allowed'
+    ):
+        read(f"file: a.csv, as: {form}", tmp_path)
+
+
+def test_merging_does_not_go_on_from_one_that_is_left_out():
+    vectors = [[0, 0, a] for a in (0, 2, 4, 6, 90)]
+    spec = f"list: {vectors}, as: rotation-vector, unit: deg, duplicates: merge, tolerance: 2.5 deg"
+    assert read(spec).labels == ("1", "3", "5")
+    assert read(spec).notes == ("2 of 5 orientations are merged: 2 is 1, 4 is 3",)
+
+
+def test_a_crystal_class_may_look_like_a_number():
+    assert len(read("lattice: 600-cell, symmetry: 23")) == 5
 
 
 def test_names_of_columns_must_be_as_many_as_numbers(tmp_path):
