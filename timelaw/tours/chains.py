@@ -25,7 +25,7 @@ class Chains:
     def __init__(self, quaternions: Array, passable: Collection[int]) -> None:
         self._count, self._passable = len(quaternions), frozenset(passable)
         self._onward: dict[Leg, list[tuple[int, int]]] = {}
-        for j in range(len(quaternions)):
+        for j in range(len(quaternions)) if self._passable else ():
             for i, sense, k, after in _pairs(quaternions, j):
                 self._onward.setdefault((i, j, sense), []).append((k, after))
         for (_, j, _), nodes in self._onward.items():

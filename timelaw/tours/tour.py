@@ -1,6 +1,6 @@
 """From what the problem file says to an order of visits, and how good that order is."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -157,13 +157,16 @@ def _fastest(wanted: Wanted) -> Searched:
     if wanted.clock is None:
         raise _fault("the fastest tour needs limits")
     clock = wanted.clock()
-    known: list[Order] = []
-    for search in (_fewest_stops, _least_turning) if clock.chains else ():
+    return fastest(clock, wanted.ends, _straightest_known(wanted) if clock.chains else (), wanted.progress)
+
+
+def _straightest_known(wanted: Wanted) -> Iterator[Order]:
+    """The straightest tours of the set, made only when they are asked for."""
+    for search in (_fewest_stops, _least_turning):
         try:
-            known.append(search(wanted).order)
+            yield search(wanted).order
         except InputError:  # the set has no such tour with these ends; the search does without
             continue
-    return fastest(clock, wanted.ends, known, wanted.progress)
 
 
 TOURS: dict[str, Callable[[Wanted], Searched]] = {
