@@ -12,6 +12,9 @@ import timelaw
 ROOT = Path(timelaw.__file__).parent
 SENTENCE = [
     "errors",
+    "progress",
+    "files",
+    "units",
     "numerics",
     "problem",
     "orientations",

@@ -10,7 +10,7 @@ import pytest
 from tests.conftest import reference
 from timelaw.errors import InputError
 from timelaw.export import law_json, samples_csv
-from timelaw.export.atomic import write_text
+from timelaw.files import write_text
 from timelaw.motion.document import from_document, to_document
 from timelaw.motion.law_file import read_law
 from timelaw.orientations.table import read_table

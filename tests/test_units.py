@@ -3,13 +3,7 @@
 import numpy as np
 import pytest
 
-from timelaw.problem.units import (
-    ANGULAR_ACCELERATION,
-    ANGULAR_JERK,
-    ANGULAR_VELOCITY,
-    FREQUENCY,
-    parse_quantity,
-)
+from timelaw.units import ANGULAR_ACCELERATION, ANGULAR_JERK, ANGULAR_VELOCITY, FREQUENCY, parse_quantity
 
 
 @pytest.mark.parametrize(

@@ -31,7 +31,7 @@ class Fault:
         return ": ".join(part for part in (place, self.where, self.message) if part)
 
 
-def some(names: Sequence[str], most: int = 6) -> str:
+def list_some(names: Sequence[str], most: int = 6) -> str:
     """The first names of a list, and how many there are."""
     shown = ", ".join(names[:most])
     return shown if len(names) <= most else f"{shown}, … ({len(names)} in all)"

@@ -1,6 +1,5 @@
 """The whole program in one function: from a problem file to a certified law beside its baselines."""
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -12,12 +11,11 @@ from timelaw.motion import QuaternionLaw, compose
 from timelaw.nlp import Optimised, optimise
 from timelaw.orientations import OrientationSet, orientations
 from timelaw.problem import Problem, Source, load
+from timelaw.progress import Progress
 from timelaw.route import Route, route
 from timelaw.schedule import Schedule, schedule
 from timelaw.time_law import BASELINES, TimeLaw, optimised
 from timelaw.tours import Tour, tour
-
-Progress = Callable[[str, int, int], None]
 
 
 @dataclass(frozen=True)

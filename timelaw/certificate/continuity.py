@@ -6,14 +6,12 @@ from itertools import pairwise
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from timelaw.motion import Arc, QuaternionLaw, Segment
 from timelaw.motion.schema import RATES
+from timelaw.numerics.array import Array
 from timelaw.numerics.extrema import peaks
-from timelaw.route.leg import AXIS_TOLERANCE, turn_between
-
-Array = NDArray[np.float64]
+from timelaw.numerics.turn import SAME_AXIS, angle_between_axes
 
 JUMP_TOLERANCE = 1e-5  # of the rate's largest value in the segments that meet; short pieces resolve no better
 
@@ -111,8 +109,8 @@ def _kind(last: Segment | None, following: Segment | None) -> tuple[str, float]:
         return ("start" if last is None else "end"), 0.0
     if not (isinstance(last, Arc) and isinstance(following, Arc)):
         return "dwell", 0.0
-    turn = turn_between(last.axis, following.axis)
-    return ("straight" if turn <= AXIS_TOLERANCE else "corner"), turn
+    turn = angle_between_axes(last.axis, following.axis)
+    return ("straight" if turn <= SAME_AXIS else "corner"), turn
 
 
 def _break_jumps(segment: Segment) -> list[dict[int, float]]:

@@ -2,11 +2,12 @@
 
 import json
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 from timelaw.errors import TimelawError
+from timelaw.progress import Progress
 
 if TYPE_CHECKING:
     from timelaw.certificate import Certificate
@@ -30,7 +31,7 @@ def error_object(error: TimelawError, code: int) -> dict[str, Any]:
 
 
 @contextmanager
-def progress() -> Iterator[Callable[[str, int, int], None] | None]:
+def progress() -> Iterator[Progress | None]:
     """Report (stage, done, of) on stderr, on a terminal only."""
     if not sys.stderr.isatty():
         yield None

@@ -7,7 +7,7 @@ from typing import Any
 from timelaw.cli.console import print_json, print_limits, print_table, progress, say
 from timelaw.errors import EXIT_DONE, EXIT_FINDINGS
 from timelaw.export import law_json, samples_csv
-from timelaw.export.atomic import write_text
+from timelaw.files import write_text
 from timelaw.pipeline import Design, design
 from timelaw.report import LawRow, law_rows, report_files
 

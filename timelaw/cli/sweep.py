@@ -5,7 +5,7 @@ from pathlib import Path
 
 from timelaw.cli.console import print_json, print_table, progress, say
 from timelaw.errors import EXIT_DONE, EXIT_FINDINGS, EXIT_INFEASIBLE
-from timelaw.export.atomic import write_text
+from timelaw.files import write_text
 from timelaw.report.front import front
 from timelaw.study import Outcome, Study, read_study, run_study
 from timelaw.study.table import cells, headings, study_csv

@@ -8,7 +8,7 @@ import numpy as np
 
 from timelaw.cli.console import print_json, print_table, progress, say
 from timelaw.errors import EXIT_DONE, InputError
-from timelaw.export.atomic import write_text
+from timelaw.files import write_text
 from timelaw.pipeline import Layout, lay_out
 from timelaw.time_law import physical_limit
 from timelaw.tours import sharpened

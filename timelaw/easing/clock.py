@@ -1,23 +1,22 @@
 """How long legs and runs take at least under a problem's limits, before there is a route to choose."""
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from functools import cache, cached_property
 from itertools import chain, pairwise
 from math import inf
 
 import numpy as np
-from numpy.typing import NDArray
 
 from timelaw.easing import double_s
 from timelaw.easing.physical_limit import physical_limit
 from timelaw.errors import Fault, InputError
 from timelaw.limits import Limit, Momentum, Rate, Row, binding, rows_on
-from timelaw.numerics.quaternion import angle_between, conjugate, multiply
+from timelaw.numerics.array import Array
+from timelaw.numerics.quaternion import angle_between
+from timelaw.numerics.turn import find_turn
+from timelaw.progress import Progress
 from timelaw.schedule import Demand
 from timelaw.tours.chains import Chains
-
-Array = NDArray[np.float64]
-Progress = Callable[[str, int, int], None]
 
 BLOCK = 256  # rows of legs at a time: a few tens of megabytes also for thousands of orientations
 MOST_RUNS = 20_000
@@ -92,10 +91,7 @@ class Clock:
     def _rows(self, rows: slice) -> tuple[Array, Array, list[Array]]:
         """Times, angles and bounds on φ', φ'', φ''' of the legs from some of the orientations."""
         q = self._quaternions
-        turns = multiply(conjugate(q[rows])[:, None, :], q[None, :, :])
-        angles = angle_between(q[rows][:, None, :], q[None, :, :])
-        sizes = np.linalg.norm(turns[..., 1:], axis=-1, keepdims=True)
-        axes = np.where(sizes > 0, turns[..., 1:] / np.where(sizes > 0, sizes, 1.0), [1.0, 0.0, 0.0])
+        axes, angles, _ = find_turn(q[rows][:, None, :], q[None, :, :])
         bounds = [np.full(angles.shape, inf) for _ in range(3)]
         everywhere, first = slice(None), rows.start
         parts = [(limit, everywhere, everywhere) for limit in self._limits]
@@ -113,9 +109,7 @@ class Clock:
     def _run(self, stops: tuple[int, ...]) -> float:
         """Least time over visits about one axis."""
         q = self._quaternions[list(stops)]
-        angles = angle_between(q[:-1], q[1:])
-        vector = multiply(conjugate(q[0]), q[1])[1:]
-        axis = vector / np.linalg.norm(vector)
+        angles, axis = angle_between(q[:-1], q[1:]), find_turn(q[0], q[1]).axis
         if not any(node in self._at for node in stops):
             demands = [Demand(float(np.sum(angles)), binding(rows_on(self._limits, axis)))]
         else:

@@ -10,9 +10,8 @@ from dataclasses import dataclass
 from math import inf, sqrt
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from timelaw.numerics.array import Array
 
 NEGLIGIBLE = 1e-12  # a phase shorter than this part of the whole is rounding, not a phase
 

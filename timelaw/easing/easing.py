@@ -4,12 +4,12 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from timelaw.numerics.array import Array
 from timelaw.numerics.bernstein import derivative_rounding, differentiate, evaluate
 from timelaw.numerics.polynomial import Polynomial
 
-Array = NDArray[np.float64]
 Side = Literal["left", "right"]
 
 

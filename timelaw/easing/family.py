@@ -6,13 +6,13 @@ from itertools import pairwise
 from typing import Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
 from timelaw.easing import smoothstep
 from timelaw.easing.double_s_easing import constant_bounds, fitted_run_timings
 from timelaw.easing.easing import Timing
 from timelaw.easing.polynomial import PolynomialBasis
 from timelaw.easing.spline import SplineBasis
+from timelaw.numerics.array import Array
 from timelaw.schedule import Demand
 
 Basis = PolynomialBasis | SplineBasis
@@ -163,7 +163,7 @@ def divided(breaks: Sequence[float], intervals: int, least: float) -> tuple[floa
     return (*np.concatenate(pieces).tolist(), 1.0)
 
 
-def _crowded(count: int, least: float) -> NDArray[np.float64]:
+def _crowded(count: int, least: float) -> Array:
     """Points (count+1,) from 0 to 1, crowding at the ends as Chebyshev's do, as far as `least` allows."""
     even = np.arange(count + 1) / count
     crowded = (1 - np.cos(np.pi * even)) / 2

@@ -5,13 +5,11 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from timelaw.easing.easing import Easing
+from timelaw.numerics.array import Array
 from timelaw.numerics.bernstein import basis_matrix, elevate, hermite_matrix
-
-Array = NDArray[np.float64]
-
 
 CONDITIONED_ORDER = 3  # the highest derivative that is limited depends most wildly on control points
 GRID = 8  # points per degree on which extrema are looked for

@@ -7,14 +7,12 @@ septic 35τ⁴ - 84τ⁵ + 70τ⁶ - 20τ⁷. In Bernstein form: r + 1 zeros, th
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from timelaw.easing.easing import Easing, Timing
 from timelaw.easing.stretch import fit_to_limits
+from timelaw.numerics.array import Array
 from timelaw.numerics.bernstein import evaluate, split
 from timelaw.schedule import Demand
-
-Array = NDArray[np.float64]
 
 BISECTIONS = 60  # halvings of [0, 1]: the last bit of a double
 

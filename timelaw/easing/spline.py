@@ -9,12 +9,11 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from timelaw.easing.easing import Easing
+from timelaw.numerics.array import Array
 from timelaw.numerics.bernstein import basis_matrix, hermite_matrix
-
-Array = NDArray[np.float64]
 
 PER_DEGREE = 4  # points per degree and interval on which extrema are looked for
 FITTED_ORDERS = (1, 2)  # derivatives in which a given easing is approximated

@@ -1,14 +1,11 @@
 """The clock by which a problem's fastest tour is searched."""
 
-from collections.abc import Callable
-
 from timelaw.easing.clock import Clock
-from timelaw.errors import Fault, InputError, some
+from timelaw.errors import Fault, InputError, list_some
 from timelaw.limits import limits_of
 from timelaw.orientations import OrientationSet
 from timelaw.problem import Problem
-
-Progress = Callable[[str, int, int], None]
+from timelaw.progress import Progress
 
 
 def clock(problem: Problem, points: OrientationSet, progress: Progress | None) -> Clock:
@@ -21,7 +18,7 @@ def clock(problem: Problem, points: OrientationSet, progress: Progress | None) -
     rules = problem.nodes.at
     unknown = [label for label in rules if label not in points.labels]
     if unknown:
-        message = f'no orientation is called "{unknown[0]}"; there are {some(points.labels)}'
+        message = f'no orientation is called "{unknown[0]}"; there are {list_some(points.labels)}'
         raise InputError(Fault(message, f"nodes.at.{unknown[0]}"))
     general, own = problem.nodes.dwell, {label: rule.dwell for label, rule in rules.items()}
     dwells = {label: general if own.get(label) is None else own[label] or 0.0 for label in points.labels}

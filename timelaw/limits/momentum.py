@@ -4,10 +4,10 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
-from numpy.typing import NDArray
 
 from timelaw.limits.rate import AXES, least_quotient
 from timelaw.limits.row import RateRow
+from timelaw.numerics.array import Array
 from timelaw.problem.body import Bounds
 
 UNIT = "N·m·s"
@@ -19,10 +19,10 @@ class Momentum:
 
     name: str
     bounds: Bounds
-    inertia: NDArray[np.float64]
+    inertia: Array
     order: ClassVar[int] = 1
 
-    def on(self, axis: NDArray[np.float64]) -> tuple[RateRow, ...]:
+    def on(self, axis: Array) -> tuple[RateRow, ...]:
         """Rows on a leg about `axis` (3,)."""
         momentum = self.inertia @ axis
         if not isinstance(self.bounds, tuple):
@@ -33,7 +33,7 @@ class Momentum:
             for name, h, bound in zip(AXES, momentum, self.bounds, strict=True)
         )
 
-    def bounds_on(self, axes: NDArray[np.float64]) -> NDArray[np.float64]:
+    def bounds_on(self, axes: Array) -> Array:
         """The bound (...) on |φ'| itself for legs about many axes (..., 3)."""
         momentum = axes @ self.inertia.T
         if not isinstance(self.bounds, tuple):

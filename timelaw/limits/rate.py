@@ -3,9 +3,9 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from timelaw.limits.row import RateRow
+from timelaw.numerics.array import Array
 from timelaw.problem.body import Bounds
 
 AXES = ("x", "y", "z")
@@ -24,7 +24,7 @@ class Rate:
     order: int
     bounds: Bounds
 
-    def on(self, axis: NDArray[np.float64]) -> tuple[RateRow, ...]:
+    def on(self, axis: Array) -> tuple[RateRow, ...]:
         """Rows on a leg about `axis` (3,)."""
         unit = UNITS[self.order]
         if not isinstance(self.bounds, tuple):
@@ -36,16 +36,14 @@ class Rate:
             for name, n, bound in zip(AXES, axis, self.bounds, strict=True)
         )
 
-    def bounds_on(self, axes: NDArray[np.float64]) -> NDArray[np.float64]:
+    def bounds_on(self, axes: Array) -> Array:
         """The bound (...) on |d^k φ/dt^k| itself for legs about many axes (..., 3)."""
         if not isinstance(self.bounds, tuple):
             return np.asarray(self.bounds / np.linalg.norm(axes, axis=-1))
         return least_quotient(self.bounds, axes)
 
 
-def least_quotient(
-    bounds: tuple[float, float, float], components: NDArray[np.float64]
-) -> NDArray[np.float64]:
+def least_quotient(bounds: tuple[float, float, float], components: Array) -> Array:
     """min_i bound_i/|component_i| over the body axes, shape (..., 3) → (...); zero ones do not bound."""
     with np.errstate(divide="ignore"):
         return np.asarray(np.min(np.array(bounds) / np.abs(components), axis=-1))

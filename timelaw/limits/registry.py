@@ -3,16 +3,12 @@
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Protocol
 
-import numpy as np
-from numpy.typing import NDArray
-
 from timelaw.limits.momentum import Momentum
 from timelaw.limits.rate import Rate
 from timelaw.limits.row import RateRow, Row
 from timelaw.limits.torque import Torque
+from timelaw.numerics.array import Array
 from timelaw.problem.body import Bounds
-
-Array = NDArray[np.float64]
 
 
 class Limit(Protocol):

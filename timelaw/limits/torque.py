@@ -3,16 +3,16 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from timelaw.limits.rate import AXES
 from timelaw.limits.row import TorqueNormRow, TorqueRow
+from timelaw.numerics.array import Array
 from timelaw.problem.body import Bounds
 
 UNIT = "N·m"
 
 
-def torque_norm(inertia: NDArray[np.float64], axis: NDArray[np.float64], bound: float = 1.0) -> TorqueNormRow:
+def torque_norm(inertia: Array, axis: Array, bound: float = 1.0) -> TorqueNormRow:
     """|τ|² ≤ bound² on a leg about `axis` (3,)."""
     linear = inertia @ axis
     gyroscopic = np.cross(axis, linear)
@@ -29,9 +29,9 @@ class Torque:
 
     name: str
     bounds: Bounds
-    inertia: NDArray[np.float64]
+    inertia: Array
 
-    def on(self, axis: NDArray[np.float64]) -> tuple[TorqueRow, ...] | tuple[TorqueNormRow]:
+    def on(self, axis: Array) -> tuple[TorqueRow, ...] | tuple[TorqueNormRow]:
         """Rows on a leg about `axis` (3,)."""
         linear = self.inertia @ axis
         gyroscopic = np.cross(axis, linear)

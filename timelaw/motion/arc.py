@@ -5,15 +5,13 @@ from dataclasses import dataclass, field
 from typing import ClassVar
 
 import numpy as np
-from numpy.typing import NDArray
 
 from timelaw.easing import Easing, Timing
 from timelaw.easing.easing import Side
 from timelaw.limits import Bounds
+from timelaw.numerics.array import Array
 from timelaw.numerics.polynomial import Polynomial
 from timelaw.numerics.quaternion import from_axis_angle, multiply
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

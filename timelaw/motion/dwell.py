@@ -4,12 +4,10 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
-from numpy.typing import NDArray
 
 from timelaw.easing.easing import Side
+from timelaw.numerics.array import Array
 from timelaw.numerics.polynomial import Polynomial
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -6,9 +6,9 @@ from pathlib import Path
 from typing import Any
 
 from timelaw.errors import Fault, InputError
+from timelaw.files import read_text
 from timelaw.motion.document import from_document
 from timelaw.motion.quaternion_law import QuaternionLaw
-from timelaw.problem.load import read_text
 
 MAX_BYTES = 500_000_000
 

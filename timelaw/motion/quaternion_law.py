@@ -4,20 +4,19 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from timelaw.easing.easing import Side
 from timelaw.limits import Bounds, Row, limits_of, rows_on
 from timelaw.motion.arc import Arc
 from timelaw.motion.dwell import Dwell
+from timelaw.numerics.array import Array
 from timelaw.numerics.bernstein import integral_of_square
 from timelaw.numerics.quaternion import rotation_matrix
 from timelaw.route import Route
 from timelaw.schedule import Schedule
 from timelaw.time_law import TimeLaw
 from timelaw.time_law.time_law import locate
-
-Array = NDArray[np.float64]
 
 Segment = Arc | Dwell
 MAX_ORDER = 4  # q, ω, α, jerk and snap are what a law is evaluated for

@@ -6,7 +6,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, model_validator
 
-from timelaw.problem.values import LEAST, MOST
+from timelaw.units import LEAST, MOST
 
 SHORTEST, LONGEST = 1e-9, 1e12  # s; cubes and fourth powers of times stay far from overflow
 NARROWEST = 1e-12  # interval of an easing

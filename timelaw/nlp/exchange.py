@@ -10,13 +10,13 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from timelaw.easing import Timing, fit_to_limits, fraction
 from timelaw.nlp.extrema_search import add_extrema
 from timelaw.nlp.ipopt import Outcome, solve
 from timelaw.nlp.program import Program, Solution, Status, total
 from timelaw.nlp.transcription import Points, pack, transcribe
+from timelaw.numerics.array import Array
 from timelaw.objectives import EFFORTS, effort_of
 
 GAP = 1e-6  # relative: what the limits between the points may still cost, in time or in their used part
@@ -52,7 +52,7 @@ def solve_from(program: Program, start: Sequence[Timing]) -> Solution | None:
     return best
 
 
-def _in_basis(program: Program, start: Sequence[Timing], units: NDArray[np.float64]) -> tuple[Timing, ...]:
+def _in_basis(program: Program, start: Sequence[Timing], units: Array) -> tuple[Timing, ...]:
     """The start as the bases can write it: a spline only comes near another curve."""
     no_points: Points = [[np.array([0.5])] * len(demand.rows) for demand in program.demands]
     blank = transcribe(program, no_points, units, 1.0, 1.0)
@@ -68,7 +68,7 @@ def _fitted(program: Program, timings: Sequence[Timing]) -> tuple[Timing, ...]:
     return tuple(fitted)
 
 
-def _start(program: Program, timings: Sequence[Timing], units: NDArray[np.float64]) -> NDArray[np.float64]:
+def _start(program: Program, timings: Sequence[Timing], units: Array) -> Array:
     """Variables of the last timings, a little inside the limits where time may be stretched."""
     inside = [timing.stretched(INSIDE) for timing in timings] if program.elastic else list(timings)
     used = fraction(program.demands, inside) if program.objective == "peak" else 0.0

@@ -6,14 +6,12 @@ This only guides the solver; what is proved is proved by the certificate.
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from timelaw.easing import Timing
 from timelaw.limits import Row
 from timelaw.nlp.program import Program
+from timelaw.numerics.array import Array
 from timelaw.schedule import Demand
-
-Array = NDArray[np.float64]
 
 SAME_POINT = 1e-7  # in τ; nearer to a point, an extremum exceeds the bound by far less than the gap
 NEAR = 0.1  # relative; a grid value this close to the bound may hide an extremum beyond it

@@ -5,9 +5,8 @@ from typing import Any
 
 import casadi as ca
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from timelaw.numerics.array import Array
 
 OPTIONS: dict[str, Any] = {
     "print_time": False,

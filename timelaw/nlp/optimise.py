@@ -1,6 +1,6 @@
 """Solve every distinct run of a route once, falling back where the solver fails."""
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
 from timelaw.easing import DoubleSFamily, Family, PolynomialFamily, Timing, fraction, smoothstep
@@ -9,13 +9,12 @@ from timelaw.errors import Fault, InfeasibleError
 from timelaw.nlp.couple import couple, deadlines
 from timelaw.nlp.program import Program, RunProblem, Solution, Status, total
 from timelaw.problem.goal import Goal
+from timelaw.progress import Progress
 from timelaw.route import Route
 from timelaw.schedule import Schedule
 
 SAME_TIME = 2e-6  # relative: the gap that the solver is left with, and where the closed form is the optimum
 SAME_DURATION = 1e-9
-
-Progress = Callable[[str, int, int], None]
 
 
 @dataclass(frozen=True)

@@ -15,14 +15,12 @@ from typing import Any
 
 import casadi as ca
 import numpy as np
-from numpy.typing import NDArray
 
 from timelaw.easing import Basis, Timing
 from timelaw.nlp.program import Program, RunProblem
+from timelaw.numerics.array import Array
 from timelaw.objectives import EFFORTS
 from timelaw.schedule import Demand
-
-Array = NDArray[np.float64]
 
 Points = list[list[Array]]  # points[leg][row]: where that row is demanded on that leg
 SPARSE = 1e-15  # of the largest entry of a column; rows are checked on the law itself afterwards

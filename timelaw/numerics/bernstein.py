@@ -9,9 +9,9 @@ from functools import cache
 from math import comb
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-Array = NDArray[np.float64]
+from timelaw.numerics.array import Array
 
 UNIT_ROUNDOFF = float(np.finfo(float).eps) / 2
 

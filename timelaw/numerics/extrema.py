@@ -10,11 +10,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from timelaw.numerics.array import Array
 from timelaw.numerics.bernstein import UNIT_ROUNDOFF, halving
-
-Array = NDArray[np.float64]
 
 GAP = 1e-13  # relative gap at which a bound is tight: a few hundred rounding errors
 FLOOR = 1e-290  # sizes below count as equal: subnormal numbers have no relative precision

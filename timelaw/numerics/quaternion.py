@@ -5,9 +5,9 @@ r_world = q r_body q*. q and -q are the same orientation.
 """
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-Array = NDArray[np.float64]
+from timelaw.numerics.array import Array
 
 
 def multiply(p: ArrayLike, q: ArrayLike) -> Array:

@@ -9,12 +9,10 @@ no orientation and are left out.
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
-import numpy as np
-from numpy.typing import NDArray
-
+from timelaw.files import read_text
+from timelaw.numerics.array import Array
 from timelaw.orientations.forms import Writing, quaternions
 from timelaw.orientations.table import fault, number
-from timelaw.problem.load import read_text
 
 Point = tuple[int, list[float], bool]  # line, three angles, whether the point was indexed
 
@@ -22,7 +20,7 @@ ANG_CONFIDENCE = 6  # column of the confidence index, counted from 0; -1 where n
 CTF_COLUMNS = ("phase", "euler1", "euler2", "euler3")
 
 
-def read_angles(path: Path) -> tuple[NDArray[np.float64], int]:
+def read_angles(path: Path) -> tuple[Array, int]:
     """Unit quaternions (N, 4), crystal to specimen, and how many points were left out as not indexed.
 
     Raises:

@@ -4,12 +4,10 @@ from difflib import get_close_matches
 from typing import Any, cast
 
 import numpy as np
-from numpy.typing import NDArray
 
 from timelaw.errors import Fault, InputError
+from timelaw.numerics.array import Array
 from timelaw.numerics.quaternion import multiply
-
-Array = NDArray[np.float64]
 
 # Rotation groups of the crystal classes, by the names of SciPy's groups (Schoenflies); a class and its
 # Laue class turn alike. The main axis is the body's z.

@@ -7,11 +7,10 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from timelaw.numerics.array import Array
 from timelaw.problem.values import NORM_TOLERANCE
 
-Array = NDArray[np.float64]
 MATRIX_COLUMNS = tuple(f"r{i}{j}" for i in "123" for j in "123")
 
 

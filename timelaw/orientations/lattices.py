@@ -11,9 +11,9 @@ from itertools import permutations, product
 from math import sqrt
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from timelaw.numerics.array import Array
+
 Vertex = tuple[float, ...]
 
 PHI = (1 + sqrt(5)) / 2

@@ -4,9 +4,9 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
-from timelaw.errors import Fault, InputError, some
+from timelaw.errors import Fault, InputError, list_some
+from timelaw.numerics.array import Array
 from timelaw.numerics.quaternion import multiply
 from timelaw.orientations.angle_files import READERS, read_angles
 from timelaw.orientations.equivalence import firsts, rotation_group
@@ -16,8 +16,6 @@ from timelaw.orientations.spread import fill_distance, separation
 from timelaw.orientations.table import read_table
 from timelaw.orientations.uniform import uniform
 from timelaw.problem.route import Orientations
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -113,7 +111,7 @@ def _merged(found: OrientationSet, spec: Orientations) -> OrientationSet:
             Fault("all orientations are the same; at least two are needed", "route.orientations")
         )
     under = f" under {spec.symmetry}" if group is not None else ""
-    listing = some([f"{other} is {one}" for one, other in pairs])
+    listing = list_some([f"{other} is {one}" for one, other in pairs])
     note = f"{len(pairs)} of {len(first)} orientations are merged{under}: {listing}"
     labels = tuple(found.labels[i] for i in kept)
     points = found.quaternions[kept]

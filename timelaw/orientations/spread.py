@@ -1,11 +1,9 @@
 """How evenly a set of orientations is spread: its separation and its fill distance, measured exactly."""
 
 import numpy as np
-from numpy.typing import NDArray
 
+from timelaw.numerics.array import Array
 from timelaw.numerics.quaternion import angle_between
-
-Array = NDArray[np.float64]
 
 
 def separation(quaternions: Array) -> float:

@@ -6,13 +6,11 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
-import numpy as np
-from numpy.typing import NDArray
-
 from timelaw.errors import Fault, InputError
+from timelaw.files import read_text
+from timelaw.numerics.array import Array
 from timelaw.orientations.forms import FORMS, Writing, fault_in, quaternions
-from timelaw.problem.load import read_text
-from timelaw.problem.values import MOST
+from timelaw.units import MOST
 
 LABEL = "label"
 NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d{1,3})?")
@@ -23,7 +21,7 @@ Row = tuple[int, list[str]]
 
 def read_table(
     path: Path, writing: Writing | None = None, columns: Sequence[str] | None = None
-) -> tuple[NDArray[np.float64], tuple[str, ...] | None]:
+) -> tuple[Array, tuple[str, ...] | None]:
     """Unit quaternions (N, 4), and labels if there is a column `label`, of a text table.
 
     Columns are found by name in any order, those of the form (w, x, y, z or qw, qx, qy, qz for

@@ -6,13 +6,11 @@ taken from a formula.
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
 from timelaw.errors import Fault, InputError
+from timelaw.numerics.array import Array
 from timelaw.orientations.lattices import LATTICES, lattice
 from timelaw.orientations.spread import fill_distance
-
-Array = NDArray[np.float64]
 
 PSI = 1.533751168755204288118041  # the root > 1 of x⁴ = x + 4
 MOST = 5000  # what a tour can be searched for

@@ -3,19 +3,20 @@
 from typing import Annotated, Any, Self
 
 import numpy as np
-from numpy.typing import NDArray
 from pydantic import BeforeValidator, model_validator
 
-from timelaw.problem.units import (
+from timelaw.numerics.array import Array
+from timelaw.problem.values import Model, bounds, fault, read_quantity
+from timelaw.units import (
     ANGULAR_ACCELERATION,
     ANGULAR_JERK,
     ANGULAR_SNAP,
     ANGULAR_VELOCITY,
     INERTIA,
     MOMENTUM,
+    MOST,
     TORQUE,
 )
-from timelaw.problem.values import MOST, Model, bounds, fault, read_quantity
 
 SYMMETRY_TOLERANCE = 1e-9  # of the largest moment: the two halves of a matrix are typed alike
 Bounds = float | tuple[float, float, float]
@@ -65,7 +66,7 @@ def _moment(value: Any) -> float:
     return 0.0 if value == 0 else read_quantity(value, INERTIA, -MOST)
 
 
-def _possible(matrix: NDArray[np.float64]) -> Rows:
+def _possible(matrix: Array) -> Rows:
     """The matrix as rows, if a body can have it: symmetric, positive, moments as of a mass distribution."""
     if np.max(np.abs(matrix - matrix.T)) > SYMMETRY_TOLERANCE * np.max(np.abs(matrix)):
         raise fault("the inertia matrix is not symmetric")

@@ -5,8 +5,8 @@ from typing import Annotated, Any, Literal, Self
 
 from pydantic import BeforeValidator, Field, WithJsonSchema, model_validator
 
-from timelaw.problem.units import TIME
-from timelaw.problem.values import MOST, Model, fault, quoted, read_quantity
+from timelaw.problem.values import Model, fault, quoted, read_quantity
+from timelaw.units import MOST, TIME
 
 Quantity = Literal["time", "jerk", "energy", "torque", "snap", "peak"]
 RELATIVE = " x minimum"

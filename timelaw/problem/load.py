@@ -7,14 +7,13 @@ from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
 from timelaw.errors import Fault, InputError
+from timelaw.files import read_text
 from timelaw.problem.model import NAME, Problem
 from timelaw.problem.route import SEQUENCE
-from timelaw.problem.source import Path as Where
-from timelaw.problem.source import Source, read
+from timelaw.problem.source import KeyPath, Source, read
 from timelaw.problem.values import nearest, quoted
 
 VERSION = 1
-MAX_BYTES = 10_000_000  # far above any real problem file; a wrong file is refused before it is parsed
 
 
 def load(path: Path) -> tuple[Problem, Source]:
@@ -25,22 +24,6 @@ def load(path: Path) -> tuple[Problem, Source]:
     """
     source = read(read_text(path), str(path))
     return check(source), source
-
-
-def read_text(path: Path, most: int = MAX_BYTES) -> str:
-    """The text of a file of at most so many bytes, or an InputError that says why not."""
-    try:
-        with path.open("rb") as file:
-            content = file.read(most + 1)
-        if len(content) > most:
-            raise InputError(Fault(f"larger than {most // 1_000_000} MB", "", str(path)))
-        return content.decode("utf-8-sig")
-    except OSError as error:
-        raise InputError(Fault(f"cannot be read: {error.strerror or error}", "", str(path))) from None
-    except UnicodeDecodeError:
-        raise InputError(Fault("is not a UTF-8 text", "", str(path))) from None
-    except ValueError as error:  # a name that no file can have
-        raise InputError(Fault(f"cannot be read: {error}", "", repr(str(path)))) from None
 
 
 def parse(text: str, path: str = "<problem>") -> Problem:
@@ -113,7 +96,7 @@ def _expectation(kind: str, given: Any, context: dict[str, Any], message: str) -
     }.get(kind, message)
 
 
-def _in_data(data: Any, location: Where) -> Where:
+def _in_data(data: Any, location: KeyPath) -> KeyPath:
     """The part of pydantic's location that stands in the file, without the names of union members."""
     path: list[str | int] = []
     for index, part in enumerate(location):
@@ -125,7 +108,7 @@ def _in_data(data: Any, location: Where) -> Where:
     return tuple(path)
 
 
-def _model_at(model: type[BaseModel], path: Where) -> type[BaseModel]:
+def _model_at(model: type[BaseModel], path: KeyPath) -> type[BaseModel]:
     """The model that describes the mapping at `path`."""
     for part in path:
         field = model.model_fields.get(str(part))

@@ -3,15 +3,15 @@
 from typing import Annotated, Literal, Self
 
 import numpy as np
-from numpy.typing import NDArray
 from pydantic import BeforeValidator, Field, model_validator
 
+from timelaw.numerics.array import Array
 from timelaw.problem.body import Body, Limits
 from timelaw.problem.goal import Goal, read_goal
 from timelaw.problem.route import RouteModel
 from timelaw.problem.rules import Nodes, SegmentRule
-from timelaw.problem.units import FREQUENCY
 from timelaw.problem.values import Model, as_tuple, fault, fraction, quantity
+from timelaw.units import FREQUENCY
 
 Baseline = Literal["quintic", "double-s"]
 MAX_DEGREE = 31
@@ -144,6 +144,6 @@ class Problem(Model):
             raise fault('to minimise torque, "body: {inertia: …}" is needed', "objective", "minimise")
         return self
 
-    def inertia(self) -> NDArray[np.float64] | None:
+    def inertia(self) -> Array | None:
         """J (3, 3) [kg·m²] in body axes, if given."""
         return np.array(self.body.inertia) if self.body else None

@@ -5,8 +5,8 @@ from typing import Annotated, Literal, Self
 from pydantic import Field, model_validator
 
 from timelaw.problem.body import Limits
-from timelaw.problem.units import ANGULAR_ACCELERATION, ANGULAR_JERK, ANGULAR_VELOCITY, TIME
-from timelaw.problem.values import MOST, Model, fault, quantity
+from timelaw.problem.values import Model, fault, quantity
+from timelaw.units import ANGULAR_ACCELERATION, ANGULAR_JERK, ANGULAR_VELOCITY, MOST, TIME
 
 DWELL = quantity(TIME, 0.0)
 INSTANT = quantity(TIME)

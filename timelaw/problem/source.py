@@ -14,7 +14,7 @@ from ruamel.yaml.nodes import MappingNode, Node, ScalarNode, SequenceNode
 
 from timelaw.errors import Fault, InputError, TimelawError
 
-Path = tuple[str | int, ...]
+KeyPath = tuple[str | int, ...]
 Place = tuple[int, int]
 
 _ITEM = re.compile(r"\[\d+\]$")
@@ -28,10 +28,10 @@ class Source:
     data: Any
     text: str
     path: str
-    keys: dict[Path, tuple[int, int]]
-    values: dict[Path, tuple[int, int]]
+    keys: dict[KeyPath, tuple[int, int]]
+    values: dict[KeyPath, tuple[int, int]]
 
-    def fault(self, where: Path, message: str, *, at_key: bool = False) -> Fault:
+    def fault(self, where: KeyPath, message: str, *, at_key: bool = False) -> Fault:
         """A fault at the key or the value of `where`, or at what encloses it if it is absent."""
         place = self.keys.get(where) if at_key else None
         parent = where
@@ -68,7 +68,7 @@ class Source:
         return self.fault(_path(fault.where), fault.message)
 
 
-def dotted(path: Path) -> str:
+def dotted(path: KeyPath) -> str:
     """("a", 0, "b") → a[1].b: items are counted from 1, as people and lines are."""
     text = ""
     for part in path:
@@ -76,7 +76,7 @@ def dotted(path: Path) -> str:
     return text
 
 
-def _path(text: str) -> Path:
+def _path(text: str) -> KeyPath:
     """What `dotted` makes a text of, as a path again."""
     parts: list[str | int] = []
     for part in text.split("."):
@@ -138,10 +138,10 @@ def _refuse_cycles(node: Node | None, ancestors: tuple[int, ...], done: set[int]
     done.add(id(node))
 
 
-def _places(node: Node | None, path: str) -> tuple[dict[Path, Place], dict[Path, Place]]:
+def _places(node: Node | None, path: str) -> tuple[dict[KeyPath, Place], dict[KeyPath, Place]]:
     """Line and column of every key and of every value, both from 1."""
-    keys: dict[Path, Place] = {}
-    values: dict[Path, Place] = {}
+    keys: dict[KeyPath, Place] = {}
+    values: dict[KeyPath, Place] = {}
     for where, key_node, value_node in _walk(node, ()) if node is not None else ():
         if len(values) == MOST_VALUES:
             raise ComposerError(None, None, f"more than {MOST_VALUES} values", value_node.start_mark)
@@ -159,7 +159,7 @@ def _name(data: Any) -> str:
     return "list" if isinstance(data, list) else "single value"
 
 
-def _walk(node: Node, path: Path) -> Iterator[tuple[Path, Node | None, Node]]:
+def _walk(node: Node, path: KeyPath) -> Iterator[tuple[KeyPath, Node | None, Node]]:
     """Yield (path, key node, value node) of everything below `node`."""
     if isinstance(node, MappingNode):
         for key, value in node.value:

@@ -8,9 +8,8 @@ from typing import Any
 from pydantic import BaseModel, ConfigDict
 from pydantic_core import PydanticCustomError, core_schema
 
-from timelaw.problem.units import Kind, parse_quantity
+from timelaw.units import LEAST, MOST, Kind, parse_quantity
 
-LEAST, MOST = 1e-9, 1e9  # in SI; no body is that slow or fast, and cubes of times stay far from overflow
 NORM_TOLERANCE = 1e-3  # a quaternion typed with four digits still counts as a unit quaternion
 
 

@@ -4,15 +4,13 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
 from timelaw.easing import row_polynomials
 from timelaw.motion import QuaternionLaw, Segment
+from timelaw.numerics.array import Array
 from timelaw.numerics.bernstein import evaluate
 from timelaw.numerics.extrema import peaks
 from timelaw.report.curves import POINTS_PER_DEGREE
-
-Array = NDArray[np.float64]
 
 BINDS = 0.999  # of a limit; solvers leave a millionth, what is used to this part is what bounds the law
 

@@ -4,12 +4,10 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
 from timelaw.motion import Segment
+from timelaw.numerics.array import Array
 from timelaw.numerics.bernstein import evaluate
-
-Array = NDArray[np.float64]
 
 POINTS_PER_DEGREE = 16  # even, so that the middle of an interval, often a zero, is among them
 

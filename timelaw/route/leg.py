@@ -3,14 +3,9 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from timelaw.numerics.quaternion import conjugate, from_axis_angle, multiply
-
-Array = NDArray[np.float64]
-
-HALF_TURN_TOLERANCE = 1e-9  # |q_i·q_j| below which both axes of a half-turn are equally short
-AXIS_TOLERANCE = 1e-7  # rad; below it two axes are one: quaternions typed with 7 digits still go straight
+from timelaw.numerics.array import Array
+from timelaw.numerics.quaternion import from_axis_angle, multiply
 
 
 @dataclass(frozen=True)
@@ -34,30 +29,6 @@ class Leg:
         """How reports call the leg."""
         return f"{self.origin}–{self.target}"
 
-    def orientation(self, s: NDArray[np.float64]) -> Array:
+    def orientation(self, s: Array) -> Array:
         """Unit quaternions (..., 4) at the fractions s (...) of the leg."""
         return multiply(self.start, from_axis_angle(self.axis, self.angle * np.asarray(s, dtype=float)))
-
-
-def relative_turn(p: Array, q: Array) -> tuple[Array, float, bool]:
-    """Axis (3,), angle θ ∈ [0, π] and whether the axis' sense is free, of the turn from p to q.
-
-    θ = 2 atan2(|v|, |w|) of p* ⊗ q = (w, v), which is exact also where arccos is not. For a
-    half-turn -n and 2π - θ do as well.
-    """
-    d = multiply(conjugate(p), q)
-    size = float(np.linalg.norm(d[1:]))
-    angle = 2 * float(np.arctan2(size, abs(d[0])))
-    axis = d[1:] / size if size else np.array([1.0, 0.0, 0.0])
-    half_turn = abs(float(d[0])) <= HALF_TURN_TOLERANCE
-    return axis * (1.0 if d[0] >= 0 else -1.0), angle, half_turn
-
-
-def canonical(axis: Array) -> Array:
-    """Of n and -n the one whose first non-zero component is positive."""
-    return axis if axis[np.argmax(np.abs(axis) > AXIS_TOLERANCE)] > 0 else -axis
-
-
-def turn_between(first: Array, second: Array) -> float:
-    """Angle [rad, 0 to π] between two unit axes (3,)."""
-    return float(np.arctan2(np.linalg.norm(np.cross(first, second)), float(first @ second)))

@@ -6,15 +6,15 @@ from itertools import pairwise
 from typing import Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from timelaw.errors import Fault, InputError
+from timelaw.numerics.array import Array
 from timelaw.numerics.quaternion import from_axis_angle, multiply
+from timelaw.numerics.turn import SAME_AXIS, Turn, angle_between_axes, choose_sense, find_turn
 from timelaw.orientations import OrientationSet
-from timelaw.route.leg import AXIS_TOLERANCE, Leg, canonical, relative_turn, turn_between
+from timelaw.route.leg import Leg
 from timelaw.tours import Tour
-
-Array = NDArray[np.float64]
 
 LEAST_ANGLE = 1e-6  # rad; below it two orientations are one, and the axis between them is noise
 
@@ -94,29 +94,31 @@ def route(points: OrientationSet, tour: Tour) -> Route:
     stops = tour.stops()
     labels = [points.labels[i] for i in stops]
     visits = points.quaternions[list(stops)]
-    turns = [relative_turn(visits[k], visits[k + 1]) for k in range(len(stops) - 1)]
-    for k, (_, angle, _) in enumerate(turns):
-        if angle < LEAST_ANGLE:
+    turns = [find_turn(visits[k], visits[k + 1]) for k in range(len(stops) - 1)]
+    for k, turn in enumerate(turns):
+        if turn.angle < LEAST_ANGLE:
             message = f'"{labels[k]}" and "{labels[k + 1]}" follow each other and are the same orientation'
             raise InputError(Fault(message, "route.tour"))
-    axes = _settle_half_turns([t[0] for t in turns], [t[2] for t in turns])
+    axes = _settle_half_turns(turns)
     legs: list[Leg] = []
     start = visits[0]
-    for k, (axis, short, half_turn) in enumerate(turns):
-        angle = short if float(axes[k] @ axis) > 0 else 2 * np.pi - short
+    for k, turn in enumerate(turns):
+        short = float(turn.angle)
+        angle = short if float(axes[k] @ turn.axis) > 0 else 2 * np.pi - short
         reached = multiply(start, from_axis_angle(axes[k], np.array(angle)))
         end = visits[k + 1] if float(reached @ visits[k + 1]) >= 0 else -visits[k + 1]
-        legs.append(Leg(labels[k], labels[k + 1], start, end, axes[k], angle, half_turn))
+        legs.append(Leg(labels[k], labels[k + 1], start, end, axes[k], angle, bool(turn.half)))
         start = end
     return Route(tuple(legs), _nodes(legs))
 
 
-def _settle_half_turns(axes: list[Array], free: list[bool]) -> list[Array]:
+def _settle_half_turns(turns: list[Turn]) -> list[Array]:
     """Give half-turns the sense that goes straight on, from the leg before or into the leg after.
 
     Half-turns in a row about one axis get one sense together; without a neighbour to go on to,
     the one whose first non-zero component is positive.
     """
+    axes, free = [turn.axis for turn in turns], [bool(turn.half) for turn in turns]
     settled, k = list(axes), 0
     while k < len(axes):
         end = k + 1
@@ -125,7 +127,7 @@ def _settle_half_turns(axes: list[Array], free: list[bool]) -> list[Array]:
                 end += 1
             neighbours = [settled[k - 1]] if k else []
             neighbours += [axes[end]] if end < len(axes) and not free[end] else []
-            guide = next((n for n in neighbours if _parallel(axes[k], n)), canonical(axes[k]))
+            guide = next((n for n in neighbours if _parallel(axes[k], n)), choose_sense(axes[k]))
             settled[k:end] = [axis if float(axis @ guide) > 0 else -axis for axis in axes[k:end]]
         k = end
     return settled
@@ -133,13 +135,13 @@ def _settle_half_turns(axes: list[Array], free: list[bool]) -> list[Array]:
 
 def _parallel(first: Array, second: Array) -> bool:
     """Whether two axes are one line."""
-    turn = turn_between(first, second)
-    return min(turn, np.pi - turn) <= AXIS_TOLERANCE
+    turn = angle_between_axes(first, second)
+    return min(turn, np.pi - turn) <= SAME_AXIS
 
 
 def _nodes(legs: list[Leg]) -> tuple[Node, ...]:
     inner = []
     for before, after in pairwise(legs):
-        turn = turn_between(before.axis, after.axis)
-        inner.append(Node(before.target, "straight" if turn <= AXIS_TOLERANCE else "corner", turn))
+        turn = angle_between_axes(before.axis, after.axis)
+        inner.append(Node(before.target, "straight" if turn <= SAME_AXIS else "corner", turn))
     return (Node(legs[0].origin, "start"), *inner, Node(legs[-1].target, "end"))

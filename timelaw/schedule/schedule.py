@@ -3,19 +3,15 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
-
-from timelaw.errors import Fault, InputError, some
+from timelaw.errors import Fault, InputError, list_some
 from timelaw.limits import Bounds, RateRow, binding, limits_of, rows_on
 from timelaw.limits.torque import torque_norm
+from timelaw.numerics.array import Array
 from timelaw.problem.model import Problem
 from timelaw.problem.route import SEARCHED
 from timelaw.problem.rules import NodeRule, SegmentRule
 from timelaw.route import Route, Run
 from timelaw.schedule.demand import Demand
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -93,7 +89,7 @@ def _node_rules(problem: Problem, route: Route) -> dict[int, NodeRule]:
     for label, rule in problem.nodes.at.items():
         if label not in labels:
             raise InputError(
-                Fault(f'the tour has no node "{label}"; it has {some(labels)}', f"nodes.at.{label}")
+                Fault(f'the tour has no node "{label}"; it has {list_some(labels)}', f"nodes.at.{label}")
             )
         index = labels.index(label)
         stop = rule.stop and problem.route.tour not in SEARCHED  # a searched tour may end where one is due
@@ -112,7 +108,9 @@ def _leg_rules(problem: Problem, route: Route) -> dict[int, SegmentRule]:
     rules = {}
     for name, rule in problem.segments.items():
         if name not in names:
-            raise InputError(Fault(f'the tour has no leg "{name}"; it has {some(names)}', f"segments.{name}"))
+            raise InputError(
+                Fault(f'the tour has no leg "{name}"; it has {list_some(names)}', f"segments.{name}")
+            )
         rules[names.index(name)] = rule
     return rules
 

@@ -1,7 +1,6 @@
 """Run a study: every point a design of its own, on the processes of this machine."""
 
 import os
-from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from dataclasses import dataclass, field
 from multiprocessing import get_context
@@ -10,6 +9,7 @@ from typing import Any
 from timelaw.errors import InputError, TimelawError
 from timelaw.pipeline import Design, design_problem
 from timelaw.problem.load import check
+from timelaw.progress import Progress
 from timelaw.report.summary import efforts, law_rows
 from timelaw.study.study import Study
 
@@ -29,9 +29,7 @@ class Outcome:
     status: str = ""
 
 
-def run_study(
-    study: Study, processes: int | None = None, progress: Callable[[str, int, int], None] | None = None
-) -> list[Outcome]:
+def run_study(study: Study, processes: int | None = None, progress: Progress | None = None) -> list[Outcome]:
     """Design every point, in as many processes as there are processors unless told otherwise.
 
     A point that cannot be met is an outcome that says so; a point that makes no sense as a

@@ -12,7 +12,8 @@ import numpy as np
 from pydantic import BeforeValidator, Field, ValidationError
 
 from timelaw.errors import InputError
-from timelaw.problem.load import read_text, translate
+from timelaw.files import read_text
+from timelaw.problem.load import translate
 from timelaw.problem.source import Source, read
 from timelaw.problem.values import Model, fault
 

@@ -9,8 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from timelaw.easing import Timing
 from timelaw.easing.easing import Side
-
-Array = NDArray[np.float64]
+from timelaw.numerics.array import Array
 
 
 class Interval(NamedTuple):

@@ -1,17 +1,15 @@
 """Straight ways through any set of orientations: which legs go on about the same axis in the same sense."""
 
 from collections.abc import Collection, Iterator
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from timelaw.numerics.quaternion import conjugate, multiply
+from timelaw.numerics.array import Array
+from timelaw.numerics.turn import SAME_AXIS, find_turn
 
-Array = NDArray[np.float64]
 Leg = tuple[int, int, int]  # from, to, sense
 
-SAME_AXIS = 1e-7  # rad, as for routes: quaternions typed with seven digits still go straight
-HALF_TURN = 1e-9  # |q_i·q_j| below which a leg may turn either way round
 SENSE = (1.0, 0.6180339887, 0.3183098862)  # no axis of a lattice is at right angles to it
 
 
@@ -74,20 +72,19 @@ def _pairs(quaternions: Array, j: int) -> list[tuple[int, int, int, int]]:
     """(i, its sense, k, its sense) of all legs i → j and j → k that turn about one axis in one sense."""
     from scipy.spatial import cKDTree
 
-    turns = multiply(conjugate(quaternions[j]), quaternions)
-    turns = turns * np.where(turns[:, :1] < 0, -1.0, 1.0)
-    nodes = np.flatnonzero(np.linalg.norm(turns[:, 1:], axis=1) > SAME_AXIS)
-    axes = turns[nodes, 1:] / np.linalg.norm(turns[nodes, 1:], axis=1, keepdims=True)
-    half = np.abs(turns[nodes, 0]) <= HALF_TURN
+    turns = find_turn(quaternions[j], quaternions)
+    nodes = np.flatnonzero(np.sin(turns.angle / 2) > SAME_AXIS)
+    axes, half = turns.axis[nodes], turns.half[nodes]
     nodes, axes = np.concatenate([nodes, nodes[half]]), np.concatenate([axes, -axes[half]])
     if not len(nodes):
         return []
     half = np.concatenate([half, half[half]])
     leaving = half & (axes @ SENSE < 0)
     arriving = half & (axes @ SENSE > 0)  # i → j turns about the axis opposite to that of j → i
+    near_axes: Any = cKDTree(axes).query_ball_point(-axes, SAME_AXIS)
     found = {
         (int(nodes[a]), int(arriving[a]), int(nodes[b]), int(leaving[b]))
-        for a, near in enumerate(cKDTree(axes).query_ball_point(-axes, SAME_AXIS))
+        for a, near in enumerate(near_axes)
         for b in near
         if nodes[a] != nodes[b]
     }

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from timelaw.errors import Fault, InputError, some
+from timelaw.errors import Fault, InputError, list_some
 from timelaw.orientations import OrientationSet
 from timelaw.problem.route import RouteModel
 
@@ -29,7 +29,7 @@ def ends(spec: RouteModel, points: OrientationSet) -> Ends:
     found: dict[str, int | None] = {}
     for key, label in (("start", spec.start), ("end", spec.end)):
         if label is not None and label not in points.labels:
-            message = f'no orientation is called "{label}"; there are {some(points.labels)}'
+            message = f'no orientation is called "{label}"; there are {list_some(points.labels)}'
             raise InputError(Fault(message, f"route.{key}"))
         found[key] = None if label is None else points.labels.index(label)
     return Ends(spec.closed, found["start"], found["end"])

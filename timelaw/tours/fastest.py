@@ -1,12 +1,11 @@
 """The fastest tours: least total time under given limits, straight runs counted as a whole."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from itertools import islice, pairwise
 from typing import Protocol
 
-import numpy as np
-from numpy.typing import NDArray
-
+from timelaw.numerics.array import Array
+from timelaw.progress import Progress
 from timelaw.tours.chains import Chains
 from timelaw.tours.ends import Ends
 from timelaw.tours.lower_bound import held_karp
@@ -14,10 +13,7 @@ from timelaw.tours.merit import Merit, Searched
 from timelaw.tours.shortest import EXACT, TREES, opened, places, short_tour
 from timelaw.tours.subsets import MOST_NODES, Move, least
 
-Array = NDArray[np.float64]
 Order = tuple[int, ...]
-Progress = Callable[[str, int, int], None]
-
 TIME = "time"
 ROUNDING = 1e-12  # relative; smaller gains of time are rounding
 MOST_MOVES = 4000  # for comparing all: a few seconds

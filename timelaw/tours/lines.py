@@ -7,13 +7,11 @@ from functools import cached_property
 from math import ceil
 
 import numpy as np
-from numpy.typing import NDArray
 
+from timelaw.numerics.array import Array
 from timelaw.numerics.quaternion import conjugate, multiply
-from timelaw.tours.chains import SAME_AXIS
+from timelaw.numerics.turn import SAME_AXIS, angle_between_axes, find_turn
 from timelaw.tours.nearest import distances, nearest_neighbours
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -37,12 +35,10 @@ class Lines:
     @cached_property
     def axes(self) -> dict[tuple[int, int], Array]:
         """Unit axis (3,) of the leg from i to each of its neighbours, in body axes."""
-        found = {}
+        found: dict[tuple[int, int], Array] = {}
         for i, nearest in enumerate(self.neighbours):
-            turns = multiply(conjugate(self.quaternions[i]), self.quaternions[nearest])
-            signed = turns[:, 1:] * np.where(turns[:, :1] < 0, -1.0, 1.0)
-            for j, vector in zip(nearest, signed, strict=True):
-                found[i, j] = vector / np.linalg.norm(vector)
+            axes = find_turn(self.quaternions[i], self.quaternions[nearest]).axis
+            found |= {(i, j): axis for j, axis in zip(nearest, axes, strict=True)}
         return found
 
     @cached_property
@@ -63,8 +59,7 @@ class Lines:
         return 0.0 if self.onward.get((i, j)) == k else self._turn(i, j, k)
 
     def _turn(self, i: int, j: int, k: int) -> float:
-        before, after = self.axes[i, j], self.axes[j, k]
-        return float(np.arctan2(np.linalg.norm(np.cross(before, after)), before @ after))
+        return angle_between_axes(self.axes[i, j], self.axes[j, k])
 
     @cached_property
     def least_turn(self) -> float:

@@ -6,13 +6,13 @@ tried. From each local optimum two short stretches next to each other are exchan
 Otto & Felten 1991), the places around are improved again, and what is longer is undone.
 """
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from random import Random
 
 import numpy as np
-from numpy.typing import NDArray
 
-Progress = Callable[[str, int, int], None]
+from timelaw.numerics.array import Array
+from timelaw.progress import Progress
 
 SEED = 20170112
 NEIGHBOURS = 8  # nearest ones tried for new legs
@@ -22,7 +22,7 @@ GAIN = 1e-9  # of the mean of all costs; smaller gains are rounding
 SEGMENT = 3  # nodes an Or-opt move takes along
 
 
-def short_cycle(costs: NDArray[np.float64], progress: Progress | None = None) -> list[int]:
+def short_cycle(costs: Array, progress: Progress | None = None) -> list[int]:
     """A short closed tour of all nodes under symmetric costs (N, N), N ≥ 5; node 0 first."""
     count = len(costs)
     tour = _Cycle(costs)
@@ -40,7 +40,7 @@ def short_cycle(costs: NDArray[np.float64], progress: Progress | None = None) ->
 class _Cycle:
     """A closed tour as a list of nodes and the place of each; legs are replaced by reversing stretches."""
 
-    def __init__(self, costs: NDArray[np.float64]) -> None:
+    def __init__(self, costs: Array) -> None:
         self.count = len(costs)
         apart = costs + np.diag(np.full(self.count, np.inf))
         order = np.argsort(apart, axis=1, kind="stable")[:, : min(NEIGHBOURS, self.count - 1)]
@@ -179,7 +179,7 @@ class _Cycle:
             i, j = (i + 1) % n, (j - 1) % n
 
 
-def _nearest_first(apart: NDArray[np.float64]) -> list[int]:
+def _nearest_first(apart: Array) -> list[int]:
     """From node 0 always on to the nearest node that is left."""
     nodes, left = [0], np.ones(len(apart), dtype=bool)
     left[0] = False

@@ -8,15 +8,11 @@ two legs of that one. Every choice of prices gives a bound; nodes with too many 
 made dearer, those with too few cheaper, and the best bound counts.
 """
 
-from collections.abc import Callable
-
 import numpy as np
-from numpy.typing import NDArray
 
+from timelaw.numerics.array import Array
+from timelaw.progress import Progress
 from timelaw.tours.ends import Ends
-
-Array = NDArray[np.float64]
-Progress = Callable[[str, int, int], None]
 
 STEPS = 250
 PATIENCE = 12  # steps without a better bound before they get smaller

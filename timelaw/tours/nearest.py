@@ -1,11 +1,9 @@
 """Rotation angles between orientations, and the least of them."""
 
 import numpy as np
-from numpy.typing import NDArray
 
+from timelaw.numerics.array import Array
 from timelaw.numerics.quaternion import angle_between
-
-Array = NDArray[np.float64]
 
 BLOCK = 256  # rows of the distance matrix at a time: a few megabytes also for many orientations
 NEIGHBOUR_TOLERANCE = 1e-9  # rad; lattice distances agree to 1e-15, and differ by 0.1 and more otherwise

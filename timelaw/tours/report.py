@@ -5,17 +5,15 @@ from math import ceil, isfinite
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from timelaw.errors import some
+from timelaw.errors import list_some
+from timelaw.numerics.array import Array
 from timelaw.orientations import OrientationSet
 from timelaw.tours.fastest import TIME
 from timelaw.tours.merit import Merit
 from timelaw.tours.shortest import MINIMAL
 from timelaw.tours.straight import STRAIGHT, TURNING
 from timelaw.tours.tour import Tour
-
-Array = NDArray[np.float64]
 
 ANGLES = ("length", TURNING)
 WORDS = {  # what it is, what no tour is beyond the bound, what this one is beyond it
@@ -80,7 +78,7 @@ def _quantity(merit: Merit, number: float, *, down: bool = False) -> str:
 
 def notes(points: OrientationSet) -> list[str]:
     """What there is to say of the orientations: what was left out, merged, or is the same."""
-    same = some([f"{other} is {one}" for one, other in points.same])
+    same = list_some([f"{other} is {one}" for one, other in points.same])
     return [
         *points.notes,
         *([f"some orientations are the same, q and -q being one: {same}"] if points.same else []),

@@ -1,10 +1,9 @@
 """The shortest tours: exact for small sets and for lattices, with a proved gap for all others."""
 
-from collections.abc import Callable
-
 import numpy as np
-from numpy.typing import NDArray
 
+from timelaw.numerics.array import Array
+from timelaw.progress import Progress
 from timelaw.tours.ends import Ends
 from timelaw.tours.hamiltonian import hamiltonian, obstacle
 from timelaw.tours.local_search import short_cycle
@@ -12,9 +11,6 @@ from timelaw.tours.lower_bound import held_karp
 from timelaw.tours.merit import Merit, Searched
 from timelaw.tours.nearest import NEIGHBOUR_TOLERANCE, nearest_neighbours
 from timelaw.tours.subsets import MOST_NODES, Move, Start, least
-
-Array = NDArray[np.float64]
-Progress = Callable[[str, int, int], None]
 
 EXACT = "all tours compared"
 MINIMAL = "legs × the minimal distance"

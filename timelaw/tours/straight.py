@@ -11,14 +11,15 @@ from importlib.resources import files
 from itertools import pairwise
 from math import floor
 
-from timelaw.errors import Fault, InputError, some
+from timelaw.errors import Fault, InputError, list_some
 from timelaw.orientations.lattices import lattice
+from timelaw.progress import Progress
 from timelaw.tours.ends import Ends
 from timelaw.tours.hamiltonian import obstacle
 from timelaw.tours.lines import Lines
 from timelaw.tours.merit import EQUAL, Merit, Searched
 from timelaw.tours.shortest import EXACT, opened
-from timelaw.tours.straighter import Progress, straighter
+from timelaw.tours.straighter import straighter
 from timelaw.tours.subsets import MOST_CELLS, Move, Start, least
 from timelaw.tours.symmetry import congruence, moved
 
@@ -42,7 +43,7 @@ def straightest(
     reason = obstacle(lines.neighbours, ends)
     if reason is not None:
         what, nodes = reason
-        raise _impossible(goal, f"there are orientations {what}: {some([labels[i] for i in nodes])}")
+        raise _impossible(goal, f"there are orientations {what}: {list_some([labels[i] for i in nodes])}")
     if len(lines) * 2 ** len(lines) * max(map(len, lines.neighbours)) <= MOST_CELLS:
         return _exact(lines, ends, goal)
     return _shipped(lines, ends, goal) or _searched(lines, ends, goal, progress)

@@ -3,17 +3,16 @@
 It begins with a path or cycle by Pósa's rotations; each tour found sets the budget of the next attempt.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from random import Random
 
+from timelaw.progress import Progress
 from timelaw.tours.ends import Ends
 from timelaw.tours.hamiltonian import hamiltonian
 from timelaw.tours.lines import Lines
 from timelaw.tours.run_search import Corner, RunSearch
 
 Order = tuple[int, ...]
-Progress = Callable[[str, int, int], None]
-
 SEED = 20170112
 ATTEMPTS = 100
 STATES = 150_000  # of all attempts: some five seconds for fifty nodes

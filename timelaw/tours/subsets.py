@@ -12,6 +12,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from timelaw.numerics.array import Array
+
 MOST_NODES = 16  # 2^16 subsets of 16 places: half a second for single legs
 MOST_CELLS = 20_000_000  # states × subsets: 160 MB
 TIE = 1e-9  # of the cost of the whole; costs that differ by less are equal
@@ -108,7 +110,7 @@ def _by_size(count: int, moves: Sequence[Move], extend: Callable[[Move, NDArray[
 
 
 def _traced(
-    cost: NDArray[np.float64], moves: Sequence[Move], starts: set[tuple[int, int]], state: int
+    cost: Array, moves: Sequence[Move], starts: set[tuple[int, int]], state: int
 ) -> tuple[int, tuple[int, ...]]:
     """The first state, and the nodes visited after it, of a cheapest way to the full set at `state`."""
     into: dict[int, list[Move]] = {}

@@ -1,12 +1,11 @@
 """Isometries of a lattice that is a group: they carry tours to tours with the same legs and turns."""
 
 import numpy as np
-from numpy.typing import NDArray
 
+from timelaw.numerics.array import Array
 from timelaw.numerics.quaternion import conjugate, multiply
 from timelaw.tours.ends import Ends
 
-Array = NDArray[np.float64]
 Order = tuple[int, ...]
 
 CLOSE = 1e-9  # of |q·q| from one, where two vertices are the same

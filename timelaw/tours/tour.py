@@ -5,10 +5,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from timelaw.errors import Fault, InputError, some
+from timelaw.errors import Fault, InputError, list_some
 from timelaw.numerics.quaternion import angle_between
 from timelaw.orientations import OrientationSet
 from timelaw.problem.route import SEARCHED, RouteModel
+from timelaw.progress import Progress
 from timelaw.tours.ends import Ends, ends
 from timelaw.tours.fastest import Clock, fastest
 from timelaw.tours.lines import Lines
@@ -18,8 +19,6 @@ from timelaw.tours.shortest import MINIMAL, lower_bound, shortest
 from timelaw.tours.straight import STRAIGHT, TURNING, straightest
 
 Order = tuple[int, ...]
-Progress = Callable[[str, int, int], None]
-
 PAPER_TOUR = (1, 12, 11, 3, 8, 10, 2, 7, 9, 6, 5, 4)
 MOST_SEARCHED = 5000  # orientations; a search holds all distances between them
 
@@ -107,7 +106,7 @@ def sharpened(found: Tour, points: OrientationSet, progress: Progress | None = N
 
 def _refuse_what_cannot_be_searched(points: OrientationSet) -> None:
     if points.same:
-        listing = some([f"{other} is {one}" for one, other in points.same])
+        listing = list_some([f"{other} is {one}" for one, other in points.same])
         raise InputError(
             Fault(f"some orientations are the same: {listing}; add duplicates: merge", "route.orientations")
         )
@@ -183,7 +182,7 @@ def _by_labels(labels: tuple[str, ...], points: OrientationSet) -> Order:
     index = {label: i for i, label in enumerate(points.labels)}
     unknown = [label for label in labels if label not in index]
     if unknown:
-        raise _fault(f'no orientation is called "{unknown[0]}"; there are {some(points.labels)}')
+        raise _fault(f'no orientation is called "{unknown[0]}"; there are {list_some(points.labels)}')
     repeated = [label for i, label in enumerate(labels) if label in labels[:i]]
     if repeated:
         raise _fault(
@@ -191,7 +190,7 @@ def _by_labels(labels: tuple[str, ...], points: OrientationSet) -> Order:
         )
     missing = [label for label in points.labels if label not in labels]
     if missing:
-        raise _fault(f"the tour leaves out {some(missing)}; every orientation must be visited")
+        raise _fault(f"the tour leaves out {list_some(missing)}; every orientation must be visited")
     return tuple(index[label] for label in labels)
 
 

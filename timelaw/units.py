@@ -9,6 +9,8 @@ import re
 from dataclasses import dataclass
 from fractions import Fraction
 
+LEAST, MOST = 1e-9, 1e9  # in SI; no body is that slow or fast, and cubes of times stay far from overflow
+
 Dimension = tuple[int, int, int, int]  # exponents of angle, second, metre, kilogram
 
 

@@ -1,0 +1,45 @@
+"""The turn from one orientation to another: about which axis, by how much, and where that is not unique."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from timelaw.numerics.array import Array
+from timelaw.numerics.quaternion import conjugate, multiply
+
+HALF_TURN = 1e-9  # |q_i·q_j| below which both axes of a half-turn are equally short
+SAME_AXIS = 1e-7  # rad; below it two axes are one: quaternions typed with 7 digits still go straight
+
+
+class Turn(NamedTuple):
+    """Unit axis n (..., 3) in body axes, angle θ (...) ∈ [0, π] [rad], and whether -n would do as well."""
+
+    axis: Array
+    angle: Array
+    half: NDArray[np.bool_]
+
+
+def find_turn(p: ArrayLike, q: ArrayLike) -> Turn:
+    """The shorter turn from p to q, unit quaternions (..., 4) that broadcast.
+
+    θ = 2 atan2(|v|, |w|) of p* ⊗ q = (w, v), which is exact also where arccos is not; n = ±v/|v|, and x
+    where nothing turns. For a half-turn -n and 2π - θ do as well.
+    """
+    d = multiply(conjugate(p), q)
+    vector = d[..., 1:]
+    # the norm of a single vector is BLAS's, which rounds it once less
+    size = np.asarray(np.linalg.norm(vector, axis=-1 if vector.ndim > 1 else None))[..., None]
+    axis = np.where(size > 0, vector / np.where(size > 0, size, 1.0), [1.0, 0.0, 0.0])
+    angle = 2 * np.arctan2(size[..., 0], np.abs(d[..., 0]))
+    return Turn(axis * np.where(d[..., :1] >= 0, 1.0, -1.0), angle, np.abs(d[..., 0]) <= HALF_TURN)
+
+
+def choose_sense(axis: Array) -> Array:
+    """Of n and -n (3,) the one whose first non-zero component is positive."""
+    return axis if axis[np.argmax(np.abs(axis) > SAME_AXIS)] > 0 else -axis
+
+
+def angle_between_axes(first: Array, second: Array) -> float:
+    """Angle [rad, 0 to π] between two unit axes (3,)."""
+    return float(np.arctan2(np.linalg.norm(np.cross(first, second)), float(first @ second)))
