@@ -8,10 +8,10 @@ import pytest
 from hypothesis import settings
 
 from timelaw import design
-from timelaw.limits import binding, limits_of, rows_on
-from timelaw.limits.torque import torque_norm
+from timelaw.limits import drop_implied, list_rows, make_limits
+from timelaw.limits.demand import Demand
+from timelaw.limits.torque import square_torque
 from timelaw.problem import parse
-from timelaw.schedule import Demand
 
 PROBLEMS = Path(__file__).parent.parent / "problems"
 
@@ -55,8 +55,8 @@ AXIS = np.array([2.0, 3.0, 6.0]) / 7
 def demand(angle, limits, axis=AXIS, inertia=None, duration=None):
     """What must hold on a leg about `axis` under limits given by name."""
     axis = np.asarray(axis, dtype=float)
-    rows = binding(rows_on(limits_of(limits, inertia), axis))
-    return Demand(float(angle), rows, duration, torque_norm(inertia, axis) if inertia is not None else None)
+    rows = drop_implied(list_rows(make_limits(limits, inertia), axis))
+    return Demand(float(angle), rows, duration, square_torque(inertia, axis) if inertia is not None else None)
 
 
 def demands(angles, limits, **others):

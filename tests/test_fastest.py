@@ -11,10 +11,10 @@ from timelaw.easing import double_s
 from timelaw.easing.clock import Clock
 from timelaw.easing.physical_limit import physical_limit
 from timelaw.errors import InputError
-from timelaw.limits import binding, limits_of, rows_on
+from timelaw.limits import drop_implied, list_rows, make_limits
+from timelaw.limits.demand import Demand
 from timelaw.orientations.lattices import lattice
 from timelaw.pipeline import lay_out
-from timelaw.schedule import Demand
 from timelaw.tours.ends import Ends
 from timelaw.tours.fastest import duration, fastest
 
@@ -23,7 +23,7 @@ BY_AXIS = {"velocity": (1.0, 0.5, 2.0), "acceleration": (2.0, 2.0, 1.0), "jerk":
 
 
 def clock(q, limits=None, inertia=None, passable=None):
-    return Clock(q, limits_of(limits or LIMITS, inertia), range(len(q)) if passable is None else passable)
+    return Clock(q, make_limits(limits or LIMITS, inertia), range(len(q)) if passable is None else passable)
 
 
 def test_many_times_at_once_are_those_one_by_one():
@@ -53,7 +53,7 @@ def test_the_clock_agrees_with_the_rows_of_each_leg(limits):
             Rotation.from_quat(q[i], scalar_first=True).inv() * Rotation.from_quat(q[j], scalar_first=True)
         ).as_rotvec()
         angle = np.linalg.norm(turn)
-        rows = binding(rows_on(limits_of(limits, inertia), turn / angle))
+        rows = drop_implied(list_rows(make_limits(limits, inertia), turn / angle))
         assert times[i, j] == pytest.approx(physical_limit([Demand(angle, rows)]), rel=1e-9)
 
 
@@ -172,7 +172,7 @@ def test_a_leg_without_a_limit():
     q = Rotation.from_euler("ZYX", [(0, 0, 0), (30, 0, 0), (0, 40, 0)], degrees=True).as_quat(
         scalar_first=True
     )
-    limits = limits_of({"torque": (1.0, 1.0, 1.0)}, np.eye(3))
+    limits = make_limits({"torque": (1.0, 1.0, 1.0)}, np.eye(3))
     assert np.all(np.isfinite(Clock(q, limits, range(3)).legs))
 
 

@@ -8,7 +8,7 @@ from tests.conftest import AXIS, demand
 from timelaw.easing import Easing, PolynomialFamily, Timing, fit_to_limits, fraction, utilisation
 from timelaw.easing.phase_plane import least_time
 from timelaw.easing.smoothstep import smoothstep
-from timelaw.limits import LIMITS, limits_of, rows_on
+from timelaw.limits import LIMITS, list_rows, make_limits
 from timelaw.nlp import RunProblem, Status
 from timelaw.nlp.optimise import solve_run
 from timelaw.numerics.polynomial import Polynomial
@@ -76,7 +76,7 @@ def test_torque_and_momentum_are_eulers(seed):
         **{f"momentum {n}": v for n, v in zip("xyz", np.max(np.abs(momentum), axis=0), strict=True)},
     }
     for bounds in ({"torque": 1.0, "momentum": 1.0}, {"torque": (1.0,) * 3, "momentum": (1.0,) * 3}):
-        rows = rows_on(limits_of(bounds, INERTIA), axis)
+        rows = list_rows(make_limits(bounds, INERTIA), axis)
         leg = demand(2.0, bounds, axis, INERTIA)
         found = {row.label: ratio ** (1 / row.root) for row, ratio in utilisation([leg], [timing])}
         for row in rows:

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from timelaw.easing import row_polynomials
 from timelaw.limits import Row
+from timelaw.limits.polynomials import row_polynomials
 from timelaw.motion import QuaternionLaw, Segment
 from timelaw.numerics.extrema import peaks
 from timelaw.numerics.polynomial import Polynomial

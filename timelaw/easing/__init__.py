@@ -4,7 +4,8 @@ from timelaw.easing.easing import Easing, Timing
 from timelaw.easing.family import Basis, DoubleSFamily, Family, PolynomialFamily, SplineFamily
 from timelaw.easing.polynomial import PolynomialBasis
 from timelaw.easing.spline import SplineBasis
-from timelaw.easing.stretch import fit_to_limits, fraction, row_polynomials, utilisation
+from timelaw.easing.stretch import fit_to_limits, fraction, utilisation
+from timelaw.limits.polynomials import row_polynomials
 
 __all__ = [
     "Basis",

@@ -10,12 +10,12 @@ import numpy as np
 from timelaw.easing import double_s
 from timelaw.easing.physical_limit import physical_limit
 from timelaw.errors import Fault, InputError
-from timelaw.limits import Limit, Momentum, Rate, Row, binding, rows_on
+from timelaw.limits import Limit, Row, drop_implied, list_rows
+from timelaw.limits.demand import Demand
 from timelaw.numerics.array import Array
 from timelaw.numerics.quaternion import angle_between
 from timelaw.numerics.turn import find_turn
 from timelaw.progress import Progress
-from timelaw.schedule import Demand
 from timelaw.tours.chains import Chains
 
 BLOCK = 256  # rows of legs at a time: a few tens of megabytes also for thousands of orientations
@@ -51,7 +51,7 @@ class Clock:
         self.chains = Chains(quaternions, passable)
         self.run = cache(self._run)
         self._known: dict[object, float] = {}
-        self._plain = all(isinstance(x, Rate | Momentum) for x in chain(limits, *self._at.values()))
+        self._plain = not any(limit.couples for limit in chain(limits, *self._at.values()))
 
     @property
     def most_runs(self) -> int:
@@ -100,9 +100,10 @@ class Clock:
             if first <= node < first + len(angles):
                 parts += [(limit, slice(node - first, node - first + 1), everywhere) for limit in limits]
         for limit, these, those in parts:
-            if isinstance(limit, Rate | Momentum) and limit.order <= 3:
-                bound = bounds[limit.order - 1][these, those]
-                np.minimum(bound, limit.bounds_on(axes[these, those]), out=bound)
+            for order, found in limit.bound_rates(axes[these, those]).items():
+                if order <= len(bounds):
+                    bound = bounds[order - 1][these, those]
+                    np.minimum(bound, found, out=bound)
         times = double_s.least_times(angles, *bounds)
         return np.where(np.isfinite(times), times, 0.0), angles, bounds
 
@@ -111,7 +112,7 @@ class Clock:
         q = self._quaternions[list(stops)]
         angles, axis = angle_between(q[:-1], q[1:]), find_turn(q[0], q[1]).axis
         if not any(node in self._at for node in stops):
-            demands = [Demand(float(np.sum(angles)), binding(rows_on(self._limits, axis)))]
+            demands = [Demand(float(np.sum(angles)), drop_implied(list_rows(self._limits, axis)))]
         else:
             demands = [
                 Demand(float(angle), self._rows_between(i, j, axis))
@@ -124,4 +125,4 @@ class Clock:
 
     def _rows_between(self, i: int, j: int, axis: Array) -> tuple[Row, ...]:
         """All rows on the leg between two nodes."""
-        return binding(rows_on((*self._limits, *self._at.get(i, ()), *self._at.get(j, ())), axis))
+        return drop_implied(list_rows((*self._limits, *self._at.get(i, ()), *self._at.get(j, ())), axis))

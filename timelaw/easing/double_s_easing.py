@@ -8,11 +8,11 @@ import numpy as np
 
 from timelaw.easing.double_s import NEGLIGIBLE, Phase, least_time, profile, ramp_times
 from timelaw.easing.easing import Easing, Timing
-from timelaw.easing.phase_plane import acceleration_limits, has_torque, speed_limit
+from timelaw.easing.phase_plane import acceleration_limits, has_coupling, speed_limit
 from timelaw.easing.stretch import fit_to_limits
-from timelaw.limits import RateRow, Row
+from timelaw.limits import Row
+from timelaw.limits.demand import Demand
 from timelaw.numerics.bernstein import hermite_matrix
-from timelaw.schedule import Demand
 
 BISECTIONS = 80  # a monotone cubic is solved to the last bit
 WRITTEN_TOLERANCE = 1e-7  # relative time that rounding of control points may cost unnoticed
@@ -23,10 +23,7 @@ SPEED_SHARES = [k / 64 for k in range(1, 65)]  # of the speed that torque allows
 
 def rate_bounds(rows: Sequence[Row]) -> tuple[float, float, float]:
     """Bounds on φ', φ'' and φ''' from the rows of plain rates, inf for one that is not there."""
-    w, a, j = (
-        min((r.effective() for r in rows if isinstance(r, RateRow) and r.order == k), default=inf)
-        for k in (1, 2, 3)
-    )
+    w, a, j = (min((row.rate_bound(k) for row in rows), default=inf) for k in (1, 2, 3))
     return w, a, j
 
 
@@ -38,7 +35,7 @@ def constant_bounds(demands: Sequence[Demand]) -> tuple[float, float, float]:
     """
     rows = [row for demand in demands for row in demand.rows]
     w, a, j = rate_bounds(rows)
-    if not has_torque(rows):
+    if not has_coupling(rows):
         return w, a, j
     angle = sum(demand.angle for demand in demands)
     fastest = speed_limit(rows)

@@ -12,8 +12,8 @@ from timelaw.easing.double_s_easing import constant_bounds, fitted_run_timings
 from timelaw.easing.easing import Timing
 from timelaw.easing.polynomial import PolynomialBasis
 from timelaw.easing.spline import SplineBasis
+from timelaw.limits.demand import Demand
 from timelaw.numerics.array import Array
-from timelaw.schedule import Demand
 
 Basis = PolynomialBasis | SplineBasis
 

@@ -6,9 +6,9 @@ t = ∫ dv/a(v), φ = ∫ v dv/a(v) (Bobrow, Dubowsky & Gibson 1985, along one a
 """
 
 from collections.abc import Callable, Sequence
-from math import inf, sqrt
+from math import inf
 
-from timelaw.limits import RateRow, Row, TorqueNormRow, TorqueRow
+from timelaw.limits import Row
 
 TOLERANCE = 1e-9  # relative, of the quadratures and of the top speed
 FAST = 1e6  # top speeds above this multiple of the angle per second are not looked for
@@ -16,38 +16,18 @@ FAST = 1e6  # top speeds above this multiple of the angle per second are not loo
 
 def speed_limit(rows: Sequence[Row]) -> float:
     """The largest v at which the body can keep its speed; inf where nothing bounds it."""
-    limits = [inf]
-    for row in rows:
-        if isinstance(row, RateRow) and row.order == 1:
-            limits.append(row.effective())
-        elif isinstance(row, TorqueRow) and row.gyroscopic:
-            limits.append(sqrt(row.bound / abs(row.gyroscopic)))
-        elif isinstance(row, TorqueNormRow) and row.gyroscopic:
-            limits.append((row.bound / row.gyroscopic**2) ** 0.25)
-    return min(limits)
+    return min((row.speed_limit() for row in rows), default=inf)
 
 
 def acceleration_limits(rows: Sequence[Row], v: float) -> tuple[float, float]:
     """The largest φ'' and the largest -φ'' that the rows allow at speed v; inf for no bound."""
-    up, down = [inf], [inf]
-    for row in rows:
-        if isinstance(row, RateRow) and row.order == 2:
-            up.append(row.effective())
-            down.append(row.effective())
-        elif isinstance(row, TorqueRow) and row.linear:
-            drift = row.gyroscopic * v * v * (1 if row.linear > 0 else -1)
-            up.append(max(row.bound - drift, 0.0) / abs(row.linear))
-            down.append(max(row.bound + drift, 0.0) / abs(row.linear))
-        elif isinstance(row, TorqueNormRow):
-            left = max(row.bound - (row.gyroscopic * v * v) ** 2, 0.0)
-            up.append(sqrt(left) / row.linear)
-            down.append(sqrt(left) / row.linear)
-    return min(up), min(down)
+    limits = [row.acceleration_limits(v) for row in rows]
+    return min((up for up, _ in limits), default=inf), min((down for _, down in limits), default=inf)
 
 
-def has_torque(rows: Sequence[Row]) -> bool:
-    """Whether any row couples φ'' with φ'²."""
-    return any(isinstance(row, TorqueRow | TorqueNormRow) for row in rows)
+def has_coupling(rows: Sequence[Row]) -> bool:
+    """Whether any row ties φ'' to φ'."""
+    return any(row.couples for row in rows)
 
 
 def least_time(angle: float, rows: Sequence[Row]) -> float:

@@ -5,7 +5,7 @@ from math import inf
 
 from timelaw.easing import double_s, phase_plane
 from timelaw.easing.double_s_easing import rate_bounds
-from timelaw.schedule import Demand
+from timelaw.limits.demand import Demand
 
 
 def physical_limit(demands: Sequence[Demand], *, moving: bool = False) -> float:
@@ -26,6 +26,6 @@ def physical_limit(demands: Sequence[Demand], *, moving: bool = False) -> float:
     least = double_s.least_time(angle, loosest[0], loosest[1], loosest[2]) if min(loosest) < inf else 0.0
     least = max(least, at_speed)
     alike = len({demand.rows_key() for demand in demands}) == 1
-    if alike and phase_plane.has_torque(demands[0].rows):
+    if alike and phase_plane.has_coupling(demands[0].rows):
         return max(least, phase_plane.least_time(angle, demands[0].rows))
     return least

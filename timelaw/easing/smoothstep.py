@@ -10,9 +10,9 @@ import numpy as np
 
 from timelaw.easing.easing import Easing, Timing
 from timelaw.easing.stretch import fit_to_limits
+from timelaw.limits.demand import Demand
 from timelaw.numerics.array import Array
 from timelaw.numerics.bernstein import evaluate, split
-from timelaw.schedule import Demand
 
 BISECTIONS = 60  # halvings of [0, 1]: the last bit of a double
 

@@ -1,26 +1,16 @@
 """Bring timings to their limits: peaks proved on the polynomials, time stretched by the exact factor."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Sequence
 from functools import partial
 
 from timelaw.easing.easing import Timing
 from timelaw.limits import Row
+from timelaw.limits.demand import Demand
+from timelaw.limits.polynomials import row_polynomials
 from timelaw.numerics.extrema import peaks
-from timelaw.numerics.polynomial import Polynomial
-from timelaw.schedule import Demand
 
 CLEARANCE = 1e-12  # relative: covers the rounding of the stretched durations themselves
 REPETITIONS = 8
-
-
-def row_polynomials(
-    rows: Sequence[Row], rates: Callable[[int], list[Polynomial]]
-) -> Iterator[tuple[Row, int, Polynomial]]:
-    """Each row on each interval of a leg, as a polynomial in time; `rates(k)` lists the k-th rate's."""
-    known = {order: rates(order) for order in {order for row in rows for order in row.orders}}
-    for row in rows:
-        for piece in range(len(known[row.orders[0]])):
-            yield row, piece, row.value({order: known[order][piece] for order in row.orders})
 
 
 def utilisation(demands: Sequence[Demand], timings: Sequence[Timing]) -> list[tuple[Row, float]]:

@@ -2,7 +2,7 @@
 
 from timelaw.easing.clock import Clock
 from timelaw.errors import Fault, InputError, list_some
-from timelaw.limits import limits_of
+from timelaw.limits import make_limits
 from timelaw.orientations import OrientationSet
 from timelaw.problem import Problem
 from timelaw.progress import Progress
@@ -26,13 +26,13 @@ def clock(problem: Problem, points: OrientationSet, progress: Progress | None) -
     passable = [i for i, label in enumerate(points.labels) if not (label in stops or dwells[label] > 0)]
     inertia = problem.inertia()
     slower = {
-        points.labels.index(label): limits_of(rule.limits.given(), inertia)
+        points.labels.index(label): make_limits(rule.limits.given(), inertia)
         for label, rule in rules.items()
         if rule.limits
     }
     return Clock(
         points.quaternions,
-        limits_of(problem.limits.given(), inertia),
+        make_limits(problem.limits.given(), inertia),
         passable,
         progress,
         slower,

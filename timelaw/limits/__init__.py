@@ -1,24 +1,19 @@
 """Limits: what the body's motion may not exceed, on each leg a bound on polynomials in time."""
 
-from timelaw.limits.momentum import Momentum
-from timelaw.limits.rate import Rate
-from timelaw.limits.registry import LIMITS, Limit, binding, limits_of, rows_on
-from timelaw.limits.row import RateRow, Row, TorqueNormRow, TorqueRow
-from timelaw.problem.body import Bounds
-from timelaw.problem.model import NEEDS_INERTIA
+from timelaw.limits.bounds import Bounds
+from timelaw.limits.demand import Demand
+from timelaw.limits.limit import Limit, LimitKind
+from timelaw.limits.registry import LIMITS, list_rows, make_limits
+from timelaw.limits.row import Row, drop_implied
 
 __all__ = [
     "LIMITS",
-    "NEEDS_INERTIA",
     "Bounds",
+    "Demand",
     "Limit",
-    "Momentum",
-    "Rate",
-    "RateRow",
+    "LimitKind",
     "Row",
-    "TorqueNormRow",
-    "TorqueRow",
-    "binding",
-    "limits_of",
-    "rows_on",
+    "drop_implied",
+    "list_rows",
+    "make_limits",
 ]

@@ -5,10 +5,9 @@ from typing import ClassVar
 
 import numpy as np
 
-from timelaw.limits.rate import AXES, least_quotient
+from timelaw.limits.bounds import AXES, Bounds, least_quotient
 from timelaw.limits.row import RateRow
 from timelaw.numerics.array import Array
-from timelaw.problem.body import Bounds
 
 UNIT = "N·m·s"
 
@@ -20,7 +19,7 @@ class Momentum:
     name: str
     bounds: Bounds
     inertia: Array
-    order: ClassVar[int] = 1
+    couples: ClassVar[bool] = False
 
     def on(self, axis: Array) -> tuple[RateRow, ...]:
         """Rows on a leg about `axis` (3,)."""
@@ -33,9 +32,9 @@ class Momentum:
             for name, h, bound in zip(AXES, momentum, self.bounds, strict=True)
         )
 
-    def bounds_on(self, axes: Array) -> Array:
-        """The bound (...) on |φ'| itself for legs about many axes (..., 3)."""
+    def bound_rates(self, axes: Array) -> dict[int, Array]:
+        """The bound (...) on |φ'| for legs about many axes (..., 3)."""
         momentum = axes @ self.inertia.T
         if not isinstance(self.bounds, tuple):
-            return np.asarray(self.bounds / np.linalg.norm(momentum, axis=-1))
-        return least_quotient(self.bounds, momentum)
+            return {1: np.asarray(self.bounds / np.linalg.norm(momentum, axis=-1))}
+        return {1: least_quotient(self.bounds, momentum)}

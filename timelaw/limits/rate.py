@@ -1,14 +1,14 @@
 """Limits on angular velocity, acceleration, jerk and snap: one class with an order."""
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 
+from timelaw.limits.bounds import AXES, Bounds, least_quotient
 from timelaw.limits.row import RateRow
 from timelaw.numerics.array import Array
-from timelaw.problem.body import Bounds
 
-AXES = ("x", "y", "z")
 UNITS = {1: "rad/s", 2: "rad/s²", 3: "rad/s³", 4: "rad/s⁴"}
 
 
@@ -23,6 +23,7 @@ class Rate:
     name: str
     order: int
     bounds: Bounds
+    couples: ClassVar[bool] = False
 
     def on(self, axis: Array) -> tuple[RateRow, ...]:
         """Rows on a leg about `axis` (3,)."""
@@ -36,14 +37,8 @@ class Rate:
             for name, n, bound in zip(AXES, axis, self.bounds, strict=True)
         )
 
-    def bounds_on(self, axes: Array) -> Array:
-        """The bound (...) on |d^k φ/dt^k| itself for legs about many axes (..., 3)."""
+    def bound_rates(self, axes: Array) -> dict[int, Array]:
+        """The bound (...) on |d^k φ/dt^k| for legs about many axes (..., 3)."""
         if not isinstance(self.bounds, tuple):
-            return np.asarray(self.bounds / np.linalg.norm(axes, axis=-1))
-        return least_quotient(self.bounds, axes)
-
-
-def least_quotient(bounds: tuple[float, float, float], components: Array) -> Array:
-    """min_i bound_i/|component_i| over the body axes, shape (..., 3) → (...); zero ones do not bound."""
-    with np.errstate(divide="ignore"):
-        return np.asarray(np.min(np.array(bounds) / np.abs(components), axis=-1))
+            return {self.order: np.asarray(self.bounds / np.linalg.norm(axes, axis=-1))}
+        return {self.order: least_quotient(self.bounds, axes)}

@@ -10,9 +10,62 @@ used is (|g|/bound)^(1/root). `limit` is the key a row comes from, `label` names
 `coefficients` tell rows of one label apart.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from math import inf, sqrt
+from typing import Any, ClassVar, Protocol
+
+
+class Row(Protocol):
+    """What solver, proof and closed forms ask of a row; no code asks what class it is of."""
+
+    @property
+    def limit(self) -> str: ...  # noqa: D102
+    @property
+    def label(self) -> str: ...  # noqa: D102
+    @property
+    def unit(self) -> str: ...  # noqa: D102
+    @property
+    def bound(self) -> float: ...  # noqa: D102
+    @property
+    def orders(self) -> tuple[int, ...]:
+        """Orders of the rates that enter."""
+        ...
+
+    @property
+    def power(self) -> int:
+        """Of the time by which |g| falls when time is stretched."""
+        ...
+
+    @property
+    def root(self) -> int:
+        """Of the limited quantity that g is a power of."""
+        ...
+
+    @property
+    def couples(self) -> bool:
+        """Whether it ties rates of different orders together."""
+        ...
+
+    def value(self, rates: Mapping[int, Any]) -> Any:
+        """The polynomial g."""
+        ...
+
+    def coefficients(self) -> tuple[float, ...]:
+        """Numbers that tell rows of one label apart."""
+        ...
+
+    def rate_bound(self, order: int) -> float:
+        """The bound on |φ^(order)| itself that the row is; infinite where it is none."""
+        ...
+
+    def speed_limit(self) -> float:
+        """The largest |φ'| that can be kept, φ'' being zero; infinite where nothing bounds it."""
+        ...
+
+    def acceleration_limits(self, v: float) -> tuple[float, float]:
+        """The largest φ'' and the largest -φ'' at φ' = v; infinite for no bound."""
+        ...
 
 
 @dataclass(frozen=True)
@@ -26,6 +79,7 @@ class RateRow:
     factor: float
     bound: float
     root: ClassVar[int] = 1
+    couples: ClassVar[bool] = False
 
     @property
     def orders(self) -> tuple[int, ...]:
@@ -45,13 +99,32 @@ class RateRow:
         """Factor and bound."""
         return (self.factor, self.bound)
 
-    def effective(self) -> float:
-        """The bound on |φ^(order)| itself; infinite where the axis has no such component."""
-        return self.bound / abs(self.factor) if self.factor else float("inf")
+    def rate_bound(self, order: int) -> float:
+        """Bound over factor; infinite for other orders, and where the axis has no such component."""
+        return self.bound / abs(self.factor) if self.factor and order == self.order else inf
+
+    def speed_limit(self) -> float:
+        """The bound, if it is one on φ'."""
+        return self.rate_bound(1)
+
+    def acceleration_limits(self, v: float) -> tuple[float, float]:  # noqa: ARG002
+        """The bound on both sides, if it is one on φ''."""
+        return self.rate_bound(2), self.rate_bound(2)
+
+
+class Coupled:
+    """What rows have in common that tie φ'' to φ'."""
+
+    orders: ClassVar[tuple[int, ...]] = (1, 2)
+    couples: ClassVar[bool] = True
+
+    def rate_bound(self, order: int) -> float:  # noqa: ARG002
+        """No bound on one rate alone."""
+        return inf
 
 
 @dataclass(frozen=True)
-class TorqueRow:
+class TorqueRow(Coupled):
     """|linear φ'' + gyroscopic φ'²| ≤ bound: one axis of τ = J n φ'' + (n × J n) φ'²."""
 
     limit: str
@@ -60,7 +133,6 @@ class TorqueRow:
     linear: float
     gyroscopic: float
     bound: float
-    orders: ClassVar[tuple[int, ...]] = (1, 2)
     power: ClassVar[int] = 2
     root: ClassVar[int] = 1
 
@@ -72,9 +144,21 @@ class TorqueRow:
         """Both factors and the bound."""
         return (self.linear, self.gyroscopic, self.bound)
 
+    def speed_limit(self) -> float:
+        """Where the gyroscopic torque alone reaches the bound."""
+        return sqrt(self.bound / abs(self.gyroscopic)) if self.gyroscopic else inf
+
+    def acceleration_limits(self, v: float) -> tuple[float, float]:
+        """What the gyroscopic torque leaves on either side."""
+        if not self.linear:
+            return inf, inf
+        drift = self.gyroscopic * v * v * (1 if self.linear > 0 else -1)
+        up, down = max(self.bound - drift, 0.0), max(self.bound + drift, 0.0)
+        return up / abs(self.linear), down / abs(self.linear)
+
 
 @dataclass(frozen=True)
-class TorqueNormRow:
+class TorqueNormRow(Coupled):
     """linear² φ''² + gyroscopic² φ'⁴ ≤ bound, a square: J n and n × J n are at right angles."""
 
     limit: str
@@ -83,7 +167,6 @@ class TorqueNormRow:
     linear: float
     gyroscopic: float
     bound: float
-    orders: ClassVar[tuple[int, ...]] = (1, 2)
     power: ClassVar[int] = 4
     root: ClassVar[int] = 2
 
@@ -96,5 +179,26 @@ class TorqueNormRow:
         """Both factors and the bound."""
         return (self.linear, self.gyroscopic, self.bound)
 
+    def speed_limit(self) -> float:
+        """Where the gyroscopic torque alone reaches the bound."""
+        return float((self.bound / self.gyroscopic**2) ** 0.25) if self.gyroscopic else inf
 
-Row = RateRow | TorqueRow | TorqueNormRow
+    def acceleration_limits(self, v: float) -> tuple[float, float]:
+        """What the gyroscopic torque leaves, the same on both sides."""
+        left = sqrt(max(self.bound - (self.gyroscopic * v * v) ** 2, 0.0)) / self.linear
+        return left, left
+
+
+def drop_implied(rows: Sequence[Row]) -> tuple[Row, ...]:
+    """The rows without those that another bound on the same rate implies, or that are always zero."""
+    kept: list[Row] = []
+    tightest: dict[int, Row] = {}
+    for row in rows:
+        if row.couples:
+            kept.append(row)
+            continue
+        (order,) = row.orders
+        known = tightest[order].rate_bound(order) if order in tightest else inf
+        if row.rate_bound(order) < known:
+            tightest[order] = row
+    return (*(tightest[order] for order in sorted(tightest)), *kept)

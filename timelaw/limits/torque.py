@@ -1,18 +1,18 @@
 """Limits on the torque that turns the body: Euler's equation along a leg."""
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 
-from timelaw.limits.rate import AXES
+from timelaw.limits.bounds import AXES, Bounds
 from timelaw.limits.row import TorqueNormRow, TorqueRow
 from timelaw.numerics.array import Array
-from timelaw.problem.body import Bounds
 
 UNIT = "N·m"
 
 
-def torque_norm(inertia: Array, axis: Array, bound: float = 1.0) -> TorqueNormRow:
+def square_torque(inertia: Array, axis: Array, bound: float = 1.0) -> TorqueNormRow:
     """|τ|² ≤ bound² on a leg about `axis` (3,)."""
     linear = inertia @ axis
     gyroscopic = np.cross(axis, linear)
@@ -30,14 +30,19 @@ class Torque:
     name: str
     bounds: Bounds
     inertia: Array
+    couples: ClassVar[bool] = True
 
     def on(self, axis: Array) -> tuple[TorqueRow, ...] | tuple[TorqueNormRow]:
         """Rows on a leg about `axis` (3,)."""
         linear = self.inertia @ axis
         gyroscopic = np.cross(axis, linear)
         if not isinstance(self.bounds, tuple):
-            return (torque_norm(self.inertia, axis, self.bounds),)
+            return (square_torque(self.inertia, axis, self.bounds),)
         return tuple(
             TorqueRow(self.name, f"{self.name} {name}", UNIT, float(a), float(b), bound)
             for name, a, b, bound in zip(AXES, linear, gyroscopic, self.bounds, strict=True)
         )
+
+    def bound_rates(self, axes: Array) -> dict[int, Array]:  # noqa: ARG002
+        """None: what is left for φ'' depends on φ'."""
+        return {}

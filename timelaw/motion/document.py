@@ -8,7 +8,8 @@ from pydantic import ValidationError
 
 from timelaw.easing import Easing
 from timelaw.errors import Fault, InputError
-from timelaw.limits import LIMITS, NEEDS_INERTIA, Bounds
+from timelaw.limits import LIMITS
+from timelaw.limits.bounds import Bounds
 from timelaw.motion.arc import Arc
 from timelaw.motion.dwell import Dwell
 from timelaw.motion.quaternion_law import QuaternionLaw
@@ -115,7 +116,7 @@ def _check_limits(limits: Mapping[str, Any], inertia: Any, path: str) -> None:
     for name in limits:
         if name not in LIMITS:
             raise InputError(Fault(f'unknown limit "{name}"; known: {", ".join(LIMITS)}', "limits", path))
-        if name in NEEDS_INERTIA and inertia is None:
+        if LIMITS[name].needs_inertia and inertia is None:
             raise InputError(Fault(f'a limit on the {name} needs "body": {{"inertia": …}}', "limits", path))
 
 

@@ -7,7 +7,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from timelaw.easing.easing import Side
-from timelaw.limits import Bounds, Row, limits_of, rows_on
+from timelaw.limits import Row, list_rows, make_limits
+from timelaw.limits.bounds import Bounds
 from timelaw.motion.arc import Arc
 from timelaw.motion.dwell import Dwell
 from timelaw.numerics.array import Array
@@ -94,8 +95,8 @@ class QuaternionLaw:
         """What is demanded on a segment; with the segment's name where it is of that segment alone."""
         if not isinstance(segment, Arc):
             return []
-        general = rows_on(limits_of(self.limits, self.inertia), segment.axis)
-        own = rows_on(limits_of(segment.limits, self.inertia), segment.axis)
+        general = list_rows(make_limits(self.limits, self.inertia), segment.axis)
+        own = list_rows(make_limits(segment.limits, self.inertia), segment.axis)
         return [*((row, "") for row in general), *((row, segment.name) for row in own)]
 
 

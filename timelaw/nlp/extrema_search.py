@@ -9,9 +9,9 @@ import numpy as np
 
 from timelaw.easing import Timing
 from timelaw.limits import Row
+from timelaw.limits.demand import Demand
 from timelaw.nlp.program import Program
 from timelaw.numerics.array import Array
-from timelaw.schedule import Demand
 
 SAME_POINT = 1e-7  # in τ; nearer to a point, an extremum exceeds the bound by far less than the gap
 NEAR = 0.1  # relative; a grid value this close to the bound may hide an extremum beyond it

@@ -6,7 +6,7 @@ from enum import Enum
 from functools import cached_property
 
 from timelaw.easing import Basis, Family, Timing
-from timelaw.schedule import Demand
+from timelaw.limits.demand import Demand
 
 
 @dataclass(frozen=True)

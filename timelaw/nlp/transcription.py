@@ -17,10 +17,10 @@ import casadi as ca
 import numpy as np
 
 from timelaw.easing import Basis, Timing
+from timelaw.limits.demand import Demand
 from timelaw.nlp.program import Program, RunProblem
 from timelaw.numerics.array import Array
 from timelaw.objectives import EFFORTS
-from timelaw.schedule import Demand
 
 Points = list[list[Array]]  # points[leg][row]: where that row is demanded on that leg
 SPARSE = 1e-15  # of the largest entry of a column; rows are checked on the law itself afterwards

@@ -6,8 +6,8 @@ from itertools import pairwise
 import numpy as np
 
 from timelaw.easing import Timing
+from timelaw.limits.demand import Demand
 from timelaw.objectives.objective import EFFORTS
-from timelaw.schedule import Demand
 
 NODES = 64  # Gauss-Legendre is exact up to degree 127, the fourth power of a slope of degree 31 is of 120
 

@@ -1,49 +1,16 @@
-"""The parts of a problem file about the body: its limits and its inertia."""
+"""The part of a problem file about the body: its inertia."""
 
-from typing import Annotated, Any, Self
+from typing import Annotated, Any
 
 import numpy as np
-from pydantic import BeforeValidator, model_validator
+from pydantic import BeforeValidator
 
 from timelaw.numerics.array import Array
-from timelaw.problem.values import Model, bounds, fault, read_quantity
-from timelaw.units import (
-    ANGULAR_ACCELERATION,
-    ANGULAR_JERK,
-    ANGULAR_SNAP,
-    ANGULAR_VELOCITY,
-    INERTIA,
-    MOMENTUM,
-    MOST,
-    TORQUE,
-)
+from timelaw.problem.values import Model, fault, read_quantity
+from timelaw.units import INERTIA, MOST
 
 SYMMETRY_TOLERANCE = 1e-9  # of the largest moment: the two halves of a matrix are typed alike
-Bounds = float | tuple[float, float, float]
 Rows = tuple[tuple[float, float, float], ...]
-
-
-class Limits(Model):
-    """Bounds on the body's motion, each on a norm or on three body axes, each optional."""
-
-    velocity: Annotated[Bounds | None, bounds(ANGULAR_VELOCITY)] = None
-    acceleration: Annotated[Bounds | None, bounds(ANGULAR_ACCELERATION)] = None
-    jerk: Annotated[Bounds | None, bounds(ANGULAR_JERK)] = None
-    snap: Annotated[Bounds | None, bounds(ANGULAR_SNAP)] = None
-    torque: Annotated[Bounds | None, bounds(TORQUE)] = None
-    momentum: Annotated[Bounds | None, bounds(MOMENTUM)] = None
-
-    @model_validator(mode="after")
-    def _some(self) -> Self:
-        if not self.given():
-            raise fault(f"at least one of {', '.join(type(self).model_fields)} must be given")
-        if list(self.given()) == ["snap"]:
-            raise fault("snap alone is not enough; limit the velocity, acceleration, jerk or torque too")
-        return self
-
-    def given(self) -> dict[str, Bounds]:
-        """The limits that are set, by name, in SI."""
-        return {name: value for name, value in self if value is not None}
 
 
 def _inertia(value: Any) -> Any:
@@ -59,11 +26,6 @@ def _inertia(value: Any) -> Any:
     else:
         raise fault("three principal moments or three rows of three are needed")
     return _possible(matrix)
-
-
-def _moment(value: Any) -> float:
-    """An entry of the matrix; a plain 0 needs no unit."""
-    return 0.0 if value == 0 else read_quantity(value, INERTIA, -MOST)
 
 
 def _possible(matrix: Array) -> Rows:

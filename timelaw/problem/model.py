@@ -5,9 +5,11 @@ from typing import Annotated, Literal, Self
 import numpy as np
 from pydantic import BeforeValidator, Field, model_validator
 
+from timelaw.limits import LIMITS
 from timelaw.numerics.array import Array
-from timelaw.problem.body import Body, Limits
+from timelaw.problem.body import Body
 from timelaw.problem.goal import Goal, read_goal
+from timelaw.problem.limits import Limits
 from timelaw.problem.route import RouteModel
 from timelaw.problem.rules import Nodes, SegmentRule
 from timelaw.problem.values import Model, as_tuple, fault, fraction, quantity
@@ -24,7 +26,6 @@ EASING_KEYS = {
     "auto": ("within",),
 }
 NAME = r"^[A-Za-z0-9][A-Za-z0-9._-]*$"
-NEEDS_INERTIA = ("torque", "momentum")
 NEEDS_CONTINUITY = {"jerk": 2, "snap": 3}  # where a rate jumps, the next one cannot be bounded
 
 
@@ -90,7 +91,7 @@ class Problem(Model):
             raise fault(
                 "a double-s has the least time from rest to rest; it keeps no given times", "easing", "basis"
             )
-        if self.nodes.continuity > 2 or (self.nodes.continuity == 2 and self.limits.jerk is None):
+        if self.nodes.continuity > 2 or (self.nodes.continuity == 2 and "jerk" not in self.limits.given()):
             raise fault(
                 "a double-s has continuity 2 where the jerk is limited, else 1; ask for no more",
                 "easing",
@@ -130,9 +131,9 @@ class Problem(Model):
         ]
         for where, limits in places:
             for name in limits.given():
-                if name in NEEDS_INERTIA and self.body is None:
+                if LIMITS[name].needs_inertia and self.body is None:
                     raise fault(f'a limit on the {name} needs "body: {{inertia: …}}"', *where, name)
-                least = NEEDS_CONTINUITY.get(name, 1)
+                least = LIMITS[name].continuity
                 if self.nodes.continuity < least:
                     given = self.nodes.continuity
                     raise fault(

@@ -4,7 +4,7 @@ from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
-from timelaw.problem.body import Limits
+from timelaw.problem.limits import Limits
 from timelaw.problem.values import Model, fault, quantity
 from timelaw.units import ANGULAR_ACCELERATION, ANGULAR_JERK, ANGULAR_VELOCITY, MOST, TIME
 

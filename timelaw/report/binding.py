@@ -5,7 +5,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from timelaw.easing import row_polynomials
+from timelaw.limits.polynomials import row_polynomials
 from timelaw.motion import QuaternionLaw, Segment
 from timelaw.numerics.array import Array
 from timelaw.numerics.bernstein import evaluate

@@ -5,10 +5,10 @@ from dataclasses import dataclass
 from typing import Any
 
 from timelaw.easing.physical_limit import physical_limit as run_limit
+from timelaw.limits.demand import Demand
 from timelaw.nlp import Solution
 from timelaw.objectives import EFFORTS, effort_of
 from timelaw.pipeline import Certified, Design
-from timelaw.schedule import Demand
 from timelaw.time_law import physical_limit, quintic
 from timelaw.time_law.baselines import chains
 

@@ -4,14 +4,15 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from timelaw.errors import Fault, InputError, list_some
-from timelaw.limits import Bounds, RateRow, binding, limits_of, rows_on
-from timelaw.limits.torque import torque_norm
+from timelaw.limits import drop_implied, list_rows, make_limits
+from timelaw.limits.bounds import Bounds
+from timelaw.limits.demand import Demand
+from timelaw.limits.torque import square_torque
 from timelaw.numerics.array import Array
 from timelaw.problem.model import Problem
 from timelaw.problem.route import SEARCHED
 from timelaw.problem.rules import NodeRule, SegmentRule
 from timelaw.route import Route, Run
-from timelaw.schedule.demand import Demand
 
 
 @dataclass(frozen=True)
@@ -51,16 +52,16 @@ def schedule(problem: Problem, route: Route) -> Schedule:
     given, inertia = problem.limits.given(), problem.inertia()
     rules, legs = _node_rules(problem, route), _leg_rules(problem, route)
     own = _leg_limits(route, rules, legs)
-    base = limits_of(given, inertia)
+    base = make_limits(given, inertia)
     demands = []
     for index, leg in enumerate(route.legs):
         rule = legs.get(index)
-        extra = limits_of(own.get(index, {}), inertia)
-        rows = binding((*rows_on(base, leg.axis), *rows_on(extra, leg.axis)))
-        if not any(_bounds_time(row) for row in rows):
+        extra = make_limits(own.get(index, {}), inertia)
+        rows = drop_implied((*list_rows(base, leg.axis), *list_rows(extra, leg.axis)))
+        if not rows:
             message = f"no limit bounds the motion of leg {leg.name}; add a norm limit"
             raise InputError(Fault(message, "limits"))
-        torque = torque_norm(inertia, leg.axis) if inertia is not None else None
+        torque = square_torque(inertia, leg.axis) if inertia is not None else None
         demands.append(Demand(leg.angle, rows, rule.duration if rule else None, torque))
     dwells = _dwells(problem, route, rules)
     stops = {i for i, rule in rules.items() if rule.stop} | {i for i, d in enumerate(dwells) if d > 0}
@@ -76,10 +77,6 @@ def schedule(problem: Problem, route: Route) -> Schedule:
         own,
         inertia,
     )
-
-
-def _bounds_time(row: object) -> bool:
-    return not isinstance(row, RateRow) or row.effective() < float("inf")
 
 
 def _node_rules(problem: Problem, route: Route) -> dict[int, NodeRule]:

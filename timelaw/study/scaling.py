@@ -13,12 +13,12 @@ from collections.abc import Sequence
 import numpy as np
 
 from timelaw.easing import PolynomialFamily
-from timelaw.limits import binding, limits_of, rows_on
+from timelaw.limits import drop_implied, list_rows, make_limits
+from timelaw.limits.demand import Demand
 from timelaw.nlp.couple import Deadline, couple
 from timelaw.nlp.optimise import least_time
 from timelaw.nlp.program import Budget, RunProblem, total
 from timelaw.problem.goal import Goal, TotalTime
-from timelaw.schedule import Demand
 
 NODES = (30, 100, 300)
 DEGREES = (7, 9, 13, 21)
@@ -28,7 +28,7 @@ LIMITS = {"velocity": 1.0, "acceleration": 2.0, "jerk": 10.0}
 
 def measure(legs: int, degree: int) -> tuple[float, float]:
     """Seconds for the least times of all legs, each another, and for the coupled program."""
-    rows = binding(rows_on(limits_of(LIMITS), np.array([0.0, 0.0, 1.0])))
+    rows = drop_implied(list_rows(make_limits(LIMITS), np.array([0.0, 0.0, 1.0])))
     family = PolynomialFamily(degree, 2)
     runs = [RunProblem((Demand(float(a), rows),), family) for a in np.linspace(0.3, 2.0, legs)]
     start = time.perf_counter()

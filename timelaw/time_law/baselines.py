@@ -5,8 +5,9 @@ from collections.abc import Callable, Sequence
 from timelaw.easing import Timing, smoothstep
 from timelaw.easing import physical_limit as limit
 from timelaw.easing.double_s_easing import fitted_run_timings
+from timelaw.limits.demand import Demand
 from timelaw.route import Route
-from timelaw.schedule import Demand, Schedule
+from timelaw.schedule import Schedule
 from timelaw.time_law.time_law import TimeLaw
 
 PAPER_CONTINUITY = 2

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from timelaw.limits import Row, TorqueNormRow
+from timelaw.limits.row import Row, TorqueNormRow
 
 
 @dataclass(frozen=True)
