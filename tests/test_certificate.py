@@ -8,14 +8,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.conftest import PROBLEMS, problem
+from tests.cases import PROBLEMS, problem
 from tests.oracles import extremum
 from timelaw.certificate import certify
 from timelaw.certificate.certificate import compare_with_record
 from timelaw.easing import Easing
 from timelaw.export import law_json
-from timelaw.motion import compose
 from timelaw.motion.document import from_document
+from timelaw.motion.quaternion_law import compose
 from timelaw.orientations import orientations
 from timelaw.pipeline import design
 from timelaw.route import route
@@ -302,6 +302,6 @@ def _double_s(limits):
     """The double-S law of the paper's tour under other limits."""
     spec = problem(f"limits: {limits}")
     points = orientations(spec.route.orientations, Path())
-    way = route(points, tour(spec.route, points))
+    way = route(points, tour(spec, points))
     plan = schedule(spec, way)
     return compose("t", way, double_s(way, plan), plan)

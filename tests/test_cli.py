@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.conftest import PROBLEMS
+from tests.cases import PROBLEMS
 from timelaw.cli import app
 from timelaw.errors import InfeasibleError
 

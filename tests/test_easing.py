@@ -7,11 +7,13 @@ import numpy as np
 import pytest
 from numpy.polynomial import polynomial as power
 
-from tests.conftest import demand, demands, random_limits
+from tests.cases import demand, demands, random_limits
 from tests.oracles import QUINTIC, QUINTIC_PEAKS, SEPTIC, SEPTIC_PEAKS, smoothstep_duration
-from timelaw.easing import Easing, PolynomialBasis, Timing, fit_to_limits, fraction, smoothstep
-from timelaw.easing.double_s import least_time, profile, ramp_times
-from timelaw.easing.double_s_easing import fitted_run_timings, run_timings
+from timelaw.easing import Easing, Timing, smoothstep
+from timelaw.easing.double_s_easing import cut_double_s, fit_double_s
+from timelaw.easing.polynomial_basis import PolynomialBasis
+from timelaw.easing.time_scaling import fit_to_limits, used_fraction
+from timelaw.least_time.double_s import double_s_time, list_phases, ramp_times
 
 DEG = np.pi / 180
 TAU = np.linspace(0, 1, 101)
@@ -20,7 +22,7 @@ TAU = np.linspace(0, 1, 101)
 @pytest.mark.parametrize(("continuity", "coefficients"), [(2, QUINTIC), (3, SEPTIC)])
 @pytest.mark.parametrize("order", [0, 1, 2, 3])
 def test_smoothsteps_are_the_quintic_and_the_septic(continuity, coefficients, order):
-    easing = Easing.single(smoothstep.smoothstep(continuity))
+    easing = Easing.single(smoothstep.control_points(continuity))
     np.testing.assert_allclose(
         easing(TAU, order), power.polyval(TAU, power.polyder(coefficients, order)), atol=1e-11
     )
@@ -30,15 +32,15 @@ def test_smoothsteps_are_the_quintic_and_the_septic(continuity, coefficients, or
 @pytest.mark.parametrize("bounds", [(1, 2, 10), (1, inf, inf), (inf, 2, inf), (inf, inf, 10), (0.01, 3, 5)])
 def test_the_smoothsteps_duration_has_its_closed_form(continuity, peaks, bounds):
     given = {n: b for n, b in zip(("velocity", "acceleration", "jerk"), bounds, strict=True) if not isinf(b)}
-    timing = smoothstep.leg_timing(demand(2.0, given), continuity)
+    timing = smoothstep.time_leg(demand(2.0, given), continuity)
     assert timing.duration == pytest.approx(smoothstep_duration(peaks, 2.0, bounds), rel=1e-10)
 
 
 def test_a_smoothstep_over_a_run_is_one_polynomial_cut_at_the_nodes():
     limits = {"velocity": 1.0, "acceleration": 2.0, "jerk": 10.0}
     angles = (0.5, 1.5, 1e-3, 0.1)
-    timings = smoothstep.run_timings(demands(angles, limits), 2)
-    whole = smoothstep.leg_timing(demand(sum(angles), limits), 2).duration
+    timings = smoothstep.time_run(demands(angles, limits), 2)
+    whole = smoothstep.time_leg(demand(sum(angles), limits), 2).duration
     assert sum(t.duration for t in timings) == pytest.approx(whole, rel=1e-9)
     for (a, left), (b, right) in pairwise(zip(angles, timings, strict=True)):
         for k in (1, 2, 3):
@@ -64,12 +66,12 @@ PROFILES = [
 
 @pytest.mark.parametrize(("angle", "bounds", "duration"), PROFILES)
 def test_double_s_in_closed_form(angle, bounds, duration):
-    assert least_time(angle * DEG, *(b * DEG for b in bounds)) == pytest.approx(duration, rel=1e-12)
+    assert double_s_time(angle * DEG, *(b * DEG for b in bounds)) == pytest.approx(duration, rel=1e-12)
 
 
 def integrated(angle, bounds):
     """End of the profile by summing up small steps of its phases' jerk; acceleration may jump between."""
-    phases = profile(angle, *bounds)
+    phases = list_phases(angle, *bounds)
     steps = 2000
     position = velocity = 0.0
     for phase in phases:
@@ -90,7 +92,7 @@ def test_the_phases_integrate_to_the_angle_and_to_rest(angle, bounds, duration):
         assert total == pytest.approx(duration)
         return
     assert position == pytest.approx(angle * DEG, rel=1e-5)
-    assert velocity == pytest.approx(0, abs=1e-5 * max(p.velocity for p in profile(angle * DEG, *scaled)))
+    assert velocity == pytest.approx(0, abs=1e-5 * max(p.velocity for p in list_phases(angle * DEG, *scaled)))
 
 
 @pytest.mark.parametrize("seed", range(30))
@@ -99,8 +101,8 @@ def test_double_s_scales_with_time_and_is_never_beaten_by_the_quintic(seed):
     bounds, angle = tuple(random_limits(rng).values()), 10 ** rng.uniform(-1, 0.5)
     c = 10 ** rng.uniform(-1, 1)
     scaled = (c * bounds[0], c**2 * bounds[1], c**3 * bounds[2])
-    assert least_time(angle, *scaled) == pytest.approx(least_time(angle, *bounds) / c, rel=1e-12)
-    assert least_time(angle, *bounds) <= smoothstep_duration(QUINTIC_PEAKS, angle, bounds)
+    assert double_s_time(angle, *scaled) == pytest.approx(double_s_time(angle, *bounds) / c, rel=1e-12)
+    assert double_s_time(angle, *bounds) <= smoothstep_duration(QUINTIC_PEAKS, angle, bounds)
     t_j, t_a, t_v = ramp_times(angle, *bounds)
     assert min(t_j, t_a - 2 * t_j * (1 - 1e-12), t_v) >= 0
 
@@ -111,18 +113,18 @@ def test_written_double_s_holds_its_limits_close_to_the_closed_form(seed):
     rng = np.random.default_rng(100 + seed)
     given = {n: b for n, b in random_limits(rng).items() if rng.random() > 0.2} or {"jerk": 1.0}
     angles = tuple(float(a) for a in 10 ** rng.uniform(-1, 0.5, rng.integers(1, 5)))
-    timings = fitted_run_timings(demands(angles, given))
+    timings = fit_double_s(demands(angles, given))
     bounds = [given.get(n, inf) for n in ("velocity", "acceleration", "jerk")]
     total = sum(t.duration for t in timings)
-    ideal = least_time(sum(angles), *bounds)
+    ideal = double_s_time(sum(angles), *bounds)
     assert ideal <= total * (1 + 1e-12)
     assert total <= ideal * (1 + 3e-5)  # no phase is shorter than 2e-5 of the run
-    assert fraction(demands(angles, given), timings) <= 1
+    assert used_fraction(demands(angles, given), timings) <= 1
 
 
 def test_pieces_meet_with_velocity_and_acceleration_at_nodes_and_breaks():
     angles = (2.0, 1.0)
-    timings = run_timings(angles, 1.0, 2.0, 10.0)
+    timings = cut_double_s(angles, 1.0, 2.0, 10.0)
     for k, tolerance in ((1, 1e-12), (2, 1e-10)):
         sides = [
             (
@@ -151,7 +153,7 @@ def test_the_basis_meets_what_is_asked_at_both_ends(degree, continuity):
 @pytest.mark.parametrize(("degree", "continuity"), [(9, 2), (31, 2), (11, 3)])
 def test_a_smoothstep_survives_the_way_into_the_basis_and_back(degree, continuity):
     basis = PolynomialBasis(degree, continuity)
-    easing = Easing.single(smoothstep.smoothstep(continuity))
+    easing = Easing.single(smoothstep.control_points(continuity))
     rest = np.eye(continuity + 1)[0]
     control = basis.control(0 * rest, basis.free_of(easing), rest)
     np.testing.assert_allclose(Easing.single(control)(TAU, 3), easing(TAU, 3), atol=1e-8)
@@ -169,7 +171,7 @@ def test_sides_of_a_break_and_the_domain():
 @pytest.mark.parametrize("factor", [0.2, 1.0, 7.0])
 def test_the_stretch_is_exact_both_ways(factor):
     demanded = [demand(2.0, {"velocity": 1.0, "acceleration": 2.0, "jerk": 10.0})]
-    timing = Timing(factor * 3.0, Easing.single(smoothstep.smoothstep(2)))
+    timing = Timing(factor * 3.0, Easing.single(smoothstep.control_points(2)))
     fitted = fit_to_limits(demanded, [timing])
     assert fitted[0].duration == pytest.approx(smoothstep_duration(QUINTIC_PEAKS, 2.0, (1, 2, 10)), rel=1e-11)
-    assert fraction(demanded, fitted) <= 1
+    assert used_fraction(demanded, fitted) <= 1

@@ -6,24 +6,25 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from tests.conftest import problem, random_limits, unit_quaternions
-from timelaw.easing import double_s
-from timelaw.easing.clock import Clock
-from timelaw.easing.physical_limit import physical_limit
+from tests.cases import problem, random_limits, unit_quaternions
 from timelaw.errors import InputError
-from timelaw.limits import drop_implied, list_rows, make_limits
-from timelaw.limits.demand import Demand
+from timelaw.least_time import double_s
+from timelaw.least_time.physical_limit import run_limit
+from timelaw.limits import Demand, drop_implied, list_rows, make_limits
 from timelaw.orientations.lattices import lattice
 from timelaw.pipeline import lay_out
 from timelaw.tours.ends import Ends
 from timelaw.tours.fastest import duration, fastest
+from timelaw.tours.travel_times import TravelTimes
 
 LIMITS = {"velocity": 1.0, "acceleration": 2.0, "jerk": 10.0}
 BY_AXIS = {"velocity": (1.0, 0.5, 2.0), "acceleration": (2.0, 2.0, 1.0), "jerk": 10.0}
 
 
 def clock(q, limits=None, inertia=None, passable=None):
-    return Clock(q, make_limits(limits or LIMITS, inertia), range(len(q)) if passable is None else passable)
+    return TravelTimes(
+        q, make_limits(limits or LIMITS, inertia), range(len(q)) if passable is None else passable
+    )
 
 
 def test_many_times_at_once_are_those_one_by_one():
@@ -38,8 +39,8 @@ def test_many_times_at_once_are_those_one_by_one():
     cases += [(a, w, np.inf, np.inf) for a, w, _, _ in cases[:20]] + [
         (a, np.inf, c, np.inf) for a, _, c, _ in cases[:20]
     ]
-    together = double_s.least_times(*(np.array(column) for column in zip(*cases, strict=True)))
-    np.testing.assert_allclose(together, [double_s.least_time(*case) for case in cases], rtol=1e-12)
+    together = double_s.double_s_times(*(np.array(column) for column in zip(*cases, strict=True)))
+    np.testing.assert_allclose(together, [double_s.double_s_time(*case) for case in cases], rtol=1e-12)
 
 
 @pytest.mark.parametrize(
@@ -54,7 +55,7 @@ def test_the_clock_agrees_with_the_rows_of_each_leg(limits):
         ).as_rotvec()
         angle = np.linalg.norm(turn)
         rows = drop_implied(list_rows(make_limits(limits, inertia), turn / angle))
-        assert times[i, j] == pytest.approx(physical_limit([Demand(angle, rows)]), rel=1e-9)
+        assert times[i, j] == pytest.approx(run_limit([Demand(angle, rows)]), rel=1e-9)
 
 
 def slow_duration(q, order, limits):
@@ -66,9 +67,9 @@ def slow_duration(q, order, limits):
     for k in range(1, len(turns)):
         straight = np.linalg.norm(turns[k] / sizes[k] - turns[k - 1] / sizes[k - 1]) < 1e-7
         if not straight:
-            total += double_s.least_time(run, *limits.values())
+            total += double_s.double_s_time(run, *limits.values())
         run = run + sizes[k] if straight else sizes[k]
-    return total + double_s.least_time(run, *limits.values())
+    return total + double_s.double_s_time(run, *limits.values())
 
 
 def raster():
@@ -148,7 +149,7 @@ def test_the_bound_is_below_the_exact_time_where_both_are_known(monkeypatch):
             with monkeypatch.context() as patch:
                 patch.setattr(module, "MOST_NODES", 0)
                 searched = fastest(clock(q, limits), Ends()).merits[0]
-                patch.setattr(Clock, "most_runs", 0)
+                patch.setattr(TravelTimes, "most_runs", 0)
                 coarse = fastest(clock(q, limits), Ends()).merits[0]
             assert coarse.bound <= searched.bound * (1 + 1e-9)
             assert searched.bound <= exact * (1 + 1e-9)
@@ -173,7 +174,7 @@ def test_a_leg_without_a_limit():
         scalar_first=True
     )
     limits = make_limits({"torque": (1.0, 1.0, 1.0)}, np.eye(3))
-    assert np.all(np.isfinite(Clock(q, limits, range(3)).legs))
+    assert np.all(np.isfinite(TravelTimes(q, limits, range(3)).legs))
 
 
 def problem_file(tmp_path, route, more=""):

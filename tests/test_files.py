@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.conftest import reference
+from tests.cases import reference
 from timelaw.errors import InputError
 from timelaw.export import law_json, samples_csv
 from timelaw.files import write_text

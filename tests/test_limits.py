@@ -4,10 +4,12 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from tests.conftest import AXIS, demand
-from timelaw.easing import Easing, PolynomialFamily, Timing, fit_to_limits, fraction, utilisation
-from timelaw.easing.phase_plane import least_time
-from timelaw.easing.smoothstep import smoothstep
+from tests.cases import AXIS, demand
+from timelaw.easing import Easing, Timing
+from timelaw.easing.family import PolynomialFamily
+from timelaw.easing.smoothstep import control_points
+from timelaw.easing.time_scaling import fit_to_limits, list_used, used_fraction
+from timelaw.least_time.phase_plane import phase_plane_time
 from timelaw.limits import LIMITS, list_rows, make_limits
 from timelaw.nlp import RunProblem, Status
 from timelaw.nlp.optimise import solve_run
@@ -45,11 +47,11 @@ def test_each_limit_bites(name):
     limits = {**ROBOT, **BITING[name]}
     leg, with_row = solve(limits)
     assert with_row.status is Status.OPTIMAL
-    assert fraction([leg], with_row.timings) <= 1
+    assert used_fraction([leg], with_row.timings) <= 1
     only = demand(2.0, BITING[name], inertia=INERTIA)
-    assert fraction([only], with_row.timings) == pytest.approx(1, rel=1e-4)
+    assert used_fraction([only], with_row.timings) == pytest.approx(1, rel=1e-4)
     _, without = solve({n: b for n, b in ROBOT.items() if n not in BITING[name]} or {"jerk": 50.0})
-    assert fraction([only], without.timings) > 1.02
+    assert used_fraction([only], without.timings) > 1.02
 
 
 def motion(timing, angle, axis):
@@ -65,7 +67,7 @@ def test_torque_and_momentum_are_eulers(seed):
     rng = np.random.default_rng(seed)
     axis = rng.normal(size=3)
     axis /= np.linalg.norm(axis)
-    timing = Timing(1.7, Easing.single(smoothstep(3)))
+    timing = Timing(1.7, Easing.single(control_points(3)))
     omega, alpha = motion(timing, 2.0, axis)
     momentum = omega @ INERTIA.T
     torque = alpha @ INERTIA.T + np.cross(omega, momentum)
@@ -78,7 +80,7 @@ def test_torque_and_momentum_are_eulers(seed):
     for bounds in ({"torque": 1.0, "momentum": 1.0}, {"torque": (1.0,) * 3, "momentum": (1.0,) * 3}):
         rows = list_rows(make_limits(bounds, INERTIA), axis)
         leg = demand(2.0, bounds, axis, INERTIA)
-        found = {row.label: ratio ** (1 / row.root) for row, ratio in utilisation([leg], [timing])}
+        found = {row.label: ratio ** (1 / row.root) for row, ratio in list_used([leg], [timing])}
         for row in rows:
             if row.label in found:  # rows that another one implies are left out
                 assert found[row.label] == pytest.approx(expected[row.label], rel=1e-5)
@@ -90,8 +92,8 @@ def test_rotating_axis_and_norm_leaves_norm_limits_alone_and_inertia_turns_along
     bounds = {limit: 3.0}
     one = demand(2.0, bounds, AXIS, INERTIA)
     other = demand(2.0, bounds, turn @ AXIS, turn @ INERTIA @ turn.T)
-    timing = Timing(3.0, Easing.single(smoothstep(2)))
-    assert fraction([one], [timing]) == pytest.approx(fraction([other], [timing]), rel=1e-12)
+    timing = Timing(3.0, Easing.single(control_points(2)))
+    assert used_fraction([one], [timing]) == pytest.approx(used_fraction([other], [timing]), rel=1e-12)
 
 
 def test_per_axis_limits_of_a_permuted_problem_give_the_same_law():
@@ -105,7 +107,7 @@ def test_per_axis_limits_of_a_permuted_problem_give_the_same_law():
 
 def test_an_axis_without_a_component_is_not_limited_along_it():
     leg = demand(2.0, {"velocity": (1e-3, 1.0, 1.0)}, (0.0, 0.6, 0.8))
-    assert fit_to_limits([leg], [Timing(1.0, Easing.single(smoothstep(2)))])[0].duration == pytest.approx(
+    assert fit_to_limits([leg], [Timing(1.0, Easing.single(control_points(2)))])[0].duration == pytest.approx(
         2.0 * 15 / 8 * 0.8, rel=1e-10
     )
 
@@ -157,10 +159,10 @@ def bang_bang(angle, rows, steps=20000):
 @pytest.mark.parametrize("bounds", [{"torque": 6.0}, {"torque": (4.0, 3.0, 5.0)}])
 def test_least_time_under_torque_equals_marching_along_the_angle(bounds):
     leg = demand(2.0, bounds, AXIS, INERTIA)
-    assert least_time(2.0, leg.rows) == pytest.approx(bang_bang(2.0, leg.rows, 2000), rel=3e-3)
+    assert phase_plane_time(2.0, leg.rows) == pytest.approx(bang_bang(2.0, leg.rows, 2000), rel=3e-3)
 
 
 def test_least_time_without_gyroscopic_torque_is_the_acceleration_limit():
     """About a principal axis torque is a plain limit τ/J on φ''."""
     leg = demand(2.0, {"torque": 6.0}, (1.0, 0.0, 0.0), np.diag([12.0, 10.0, 8.0]))
-    assert least_time(2.0, leg.rows) == pytest.approx(2 * np.sqrt(2.0 * 12 / 6.0), rel=1e-7)
+    assert phase_plane_time(2.0, leg.rows) == pytest.approx(2 * np.sqrt(2.0 * 12 / 6.0), rel=1e-7)

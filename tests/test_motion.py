@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from tests.conftest import reference
+from tests.cases import reference
 from timelaw.time_law import TimeLaw, double_s, physical_limit, quintic
 
 

@@ -5,10 +5,11 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from tests.conftest import demands, random_limits
+from tests.cases import demands, random_limits
 from tests.oracles import QUINTIC_PEAKS, LinearProgram, smoothstep_duration
-from timelaw.easing import PolynomialFamily, fraction
-from timelaw.easing.double_s import least_time
+from timelaw.easing.family import PolynomialFamily
+from timelaw.easing.time_scaling import used_fraction
+from timelaw.least_time.double_s import double_s_time
 from timelaw.nlp import RunProblem, Status
 from timelaw.nlp import exchange as exchange_module
 from timelaw.nlp.ipopt import Outcome
@@ -32,10 +33,10 @@ def linear_program(angles, limits, degree=9, continuity=2, shares=(1.0,)):
 def check_against_closed_forms(angles, limits, solution, continuity=2):
     bounds = tuple(limits.values())
     total = sum(angles)
-    assert solution.duration >= least_time(total, *bounds)
+    assert solution.duration >= double_s_time(total, *bounds)
     if continuity == 2:
         assert solution.duration <= smoothstep_duration(QUINTIC_PEAKS, total, bounds) * (1 + 1e-9)
-    assert fraction(demands(angles, limits), solution.timings) <= 1
+    assert used_fraction(demands(angles, limits), solution.timings) <= 1
 
 
 def random_leg(seed):
@@ -136,8 +137,8 @@ def test_each_limit_bites(limit):
     angles = (120 * DEG,)
     with_row, without = solve(angles, tight), solve(angles, {n: b for n, b in tight.items() if n != limit})
     only = demands(angles, {limit: tight[limit]})
-    assert fraction(only, with_row.timings) == pytest.approx(1, rel=1e-5)
-    assert fraction(only, without.timings) > 1.05
+    assert used_fraction(only, with_row.timings) == pytest.approx(1, rel=1e-5)
+    assert used_fraction(only, without.timings) > 1.05
 
 
 def test_equal_legs_of_a_run_mirror_each_other():
@@ -176,7 +177,7 @@ def test_a_solver_that_always_fails_leaves_the_best_closed_form(monkeypatch):
     assert solution.duration == pytest.approx(
         smoothstep_duration(QUINTIC_PEAKS, 240 * DEG, tuple(ROBOT.values()))
     )
-    assert fraction(demands((120 * DEG,) * 2, ROBOT), solution.timings) <= 1
+    assert used_fraction(demands((120 * DEG,) * 2, ROBOT), solution.timings) <= 1
 
 
 def test_a_solver_that_claims_success_with_a_slow_law_is_not_believed(monkeypatch):
@@ -209,7 +210,7 @@ def test_where_the_smoothstep_is_the_optimum_the_solver_has_not_failed(given, de
 def test_the_highest_degree_is_held_to_the_last_digit(seed):
     angles, limits, _, _ = random_leg(seed)
     solution = solve(angles, limits, 31, 3)
-    assert fraction(demands(angles, limits), solution.timings) <= 1
+    assert used_fraction(demands(angles, limits), solution.timings) <= 1
 
 
 def test_a_solver_that_fails_on_high_degrees_starts_from_a_simpler_easing(monkeypatch):

@@ -4,10 +4,11 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from tests.conftest import demand
+from tests.cases import demand
 from tests.oracles import LinearProgram
-from timelaw.easing import PolynomialFamily, fraction
-from timelaw.easing.smoothstep import smoothstep
+from timelaw.easing.family import PolynomialFamily
+from timelaw.easing.smoothstep import control_points
+from timelaw.easing.time_scaling import used_fraction
 from timelaw.errors import InfeasibleError
 from timelaw.nlp import Budget, RunProblem, Status
 from timelaw.nlp.couple import Deadline, couple
@@ -51,7 +52,7 @@ def test_least_effort_in_a_given_time_is_the_smoothstep(minimise):
     continuity, limits, order, cost = CLOSED[minimise]
     program, _, solution = solve([2.0], minimise, 3.0, 9, continuity, limits)
     np.testing.assert_allclose(
-        solution.timings[0].easing.pieces[0], elevate(smoothstep(order), 9), rtol=0, atol=1e-8
+        solution.timings[0].easing.pieces[0], elevate(control_points(order), 9), rtol=0, atol=1e-8
     )
     assert effort_of(minimise, program.demands, solution.timings) == pytest.approx(
         cost(2.0, solution.duration), rel=1e-9
@@ -72,7 +73,7 @@ def test_limits_hold_and_effort_falls_with_time(minimise):
     efforts = []
     for factor in (1.02, 1.1, 1.5):
         program, least, solution = solve([2.0, 1.0], minimise, factor, 9, 3)
-        assert fraction(program.demands, solution.timings) <= 1
+        assert used_fraction(program.demands, solution.timings) <= 1
         assert solution.duration == pytest.approx(factor * total(least), rel=1e-12)
         efforts.append(effort_of(minimise, program.demands, solution.timings))
         stretched = [t.stretched(factor) for t in least]
@@ -94,7 +95,7 @@ def test_the_effort_of_torque_is_the_integral_of_eulers_equation():
 
 def test_peak_at_the_least_time_is_one():
     program, least, solution = solve([2.0, 0.7], "peak", 1.0)
-    assert fraction(program.demands, solution.timings) == pytest.approx(1.0, abs=1e-9)
+    assert used_fraction(program.demands, solution.timings) == pytest.approx(1.0, abs=1e-9)
     assert solution.duration == pytest.approx(total(least), rel=1e-12)
 
 
@@ -107,7 +108,7 @@ def test_peak_scales_as_the_limits_would():
         return LinearProgram(9, 2, (2.0,), limits).solve()[0] - 2.0 * total(least)
 
     expected = brentq(slower, 0.2, 0.9, xtol=1e-5)
-    assert fraction(program.demands, solution.timings) == pytest.approx(expected, rel=1e-4)
+    assert used_fraction(program.demands, solution.timings) == pytest.approx(expected, rel=1e-4)
 
 
 def test_too_little_time_says_the_earliest_and_how_much_is_missing():
@@ -119,7 +120,7 @@ def test_weights_trade_time_against_effort():
     results = []
     for weight in (1e-3, 0.1, 10.0):
         program, least, solution = solve([2.0, 1.0], "jerk", weight=weight)
-        assert fraction(program.demands, solution.timings) <= 1
+        assert used_fraction(program.demands, solution.timings) <= 1
         results.append(
             (solution.duration / total(least), effort_of("jerk", program.demands, solution.timings))
         )

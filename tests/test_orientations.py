@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.conftest import problem
+from tests.cases import problem
 from timelaw.errors import InputError
 from timelaw.orientations import orientations
 from timelaw.orientations.lattices import LATTICES, lattice

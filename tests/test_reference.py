@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from tests.conftest import PROBLEMS, reference
+from tests.cases import PROBLEMS, reference
 from tests.oracles import QUINTIC_PEAKS, LinearProgram, smoothstep_duration
 from timelaw import design
 from timelaw.certificate import certify
 from timelaw.certificate.certificate import compare_with_record
-from timelaw.easing.double_s import least_time
+from timelaw.least_time.double_s import double_s_time
 from timelaw.motion.law_file import read_law
 from timelaw.orientations.lattices import lattice
 from timelaw.report import law_rows, tour_table
@@ -137,13 +137,13 @@ def test_the_readmes_table_of_tours():
         angle = np.degrees(np.min(designed.route.angles))
         lengths = straight_runs(list(designed.tour.order), lattice(name))
         assert sum(lengths) == len(lattice(name)) - 1
-        runs = sum(least_time(legs * angle * DEG, *limits) for legs in lengths)
+        runs = sum(double_s_time(legs * angle * DEG, *limits) for legs in lengths)
         times = {row.name: row.duration for row in law_rows(designed)}
         assert times["double-S"] == pytest.approx(runs, rel=1e-9)
         assert over_runs.get((name, tour), runs) == pytest.approx(runs, rel=1e-9)
         quintic = sum(lengths) * smoothstep_duration(QUINTIC_PEAKS, angle, (60, 120, 600))
         assert times["quintic"] == pytest.approx(quintic, rel=1e-9)
-        every = sum(lengths) * least_time(angle * DEG, *limits)
+        every = sum(lengths) * double_s_time(angle * DEG, *limits)
         assert times.get("double-S, every stop", runs) == pytest.approx(every, rel=1e-9)
         if name == "600-cell":
             assert (round(every, 2), round(quintic, 2)) == (112.10, 132.75)

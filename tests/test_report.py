@@ -7,7 +7,7 @@ from html.parser import HTMLParser
 
 import pytest
 
-from tests.conftest import reference
+from tests.cases import reference
 from timelaw.report import law_rows, report_files
 from timelaw.report.summary import run_rows
 

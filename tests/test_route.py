@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from tests.conftest import problem, unit_quaternions
+from tests.cases import problem, unit_quaternions
 from timelaw.errors import InputError
 from timelaw.orientations import OrientationSet, orientations
 from timelaw.route import route
@@ -23,8 +23,8 @@ def through(quaternions):
 
 
 def lattice_route(spec: str):
-    model = problem(f"route: {{{spec}}}").route
-    points = orientations(model.orientations, Path())
+    model = problem(f"route: {{{spec}}}")
+    points = orientations(model.route.orientations, Path())
     return route(points, tour(model, points))
 
 

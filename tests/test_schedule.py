@@ -5,7 +5,7 @@ import json
 import numpy as np
 import pytest
 
-from tests.conftest import PROBLEMS
+from tests.cases import PROBLEMS
 from timelaw import design
 from timelaw.certificate import certify
 from timelaw.certificate.certificate import compare_with_record

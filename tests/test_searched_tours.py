@@ -5,7 +5,7 @@ from itertools import pairwise, permutations
 import numpy as np
 import pytest
 
-from tests.conftest import problem, unit_quaternions
+from tests.cases import problem, unit_quaternions
 from timelaw.errors import InputError
 from timelaw.orientations import OrientationSet
 from timelaw.tours import sharpened, tour
@@ -101,7 +101,7 @@ def test_random_sets_against_a_strong_solver(count, closed):
     points = random_set(count, count)
     spec = problem(
         f"route: {{orientations: {{lattice: 24-cell}}, tour: shortest, closed: {str(closed).lower()}}}"
-    ).route
+    )
     found = tour(spec, points)
     costs = angles(points.quaternions)
     own = length(costs, found.order, closed)
@@ -117,16 +117,16 @@ def test_random_sets_against_a_strong_solver(count, closed):
 
 def test_the_same_tour_every_time():
     points = random_set(5, 60)
-    spec = problem("route: {orientations: {lattice: 24-cell}, tour: shortest}").route
+    spec = problem("route: {orientations: {lattice: 24-cell}, tour: shortest}")
     assert tour(spec, points) == tour(spec, points)
 
 
 def test_start_and_end_of_a_larger_set():
     points = random_set(6, 60)
-    spec = problem("route: {orientations: {lattice: 24-cell}, tour: shortest, start: 17, end: 40}").route
+    spec = problem("route: {orientations: {lattice: 24-cell}, tour: shortest, start: 17, end: 40}")
     found = tour(spec, points)
     assert (found.order[0], found.order[-1]) == (16, 39)
-    free = tour(problem("route: {orientations: {lattice: 24-cell}, tour: shortest}").route, points)
+    free = tour(problem("route: {orientations: {lattice: 24-cell}, tour: shortest}"), points)
     assert free.length < found.length
     assert found.merits[0].bound > free.merits[0].bound
 
@@ -138,13 +138,13 @@ def test_lattices_from_and_to_given_nodes(name):
     q = lattice(name)
     points = OrientationSet(q, tuple(str(i + 1) for i in range(len(q))), name, name)
     for ends in ("start: 5", "start: 5, end: 44", "end: 20", "closed: true, start: 30"):
-        spec = problem(f"route: {{orientations: {{lattice: {name}}}, tour: shortest, {ends}}}").route
+        spec = problem(f"route: {{orientations: {{lattice: {name}}}, tour: shortest, {ends}}}")
         found = tour(spec, points)
         assert found.is_shortest
         if "start" in ends:
-            assert points.labels[found.order[0]] == str(spec.start)
-        if spec.end:
-            assert points.labels[found.order[-1]] == spec.end
+            assert points.labels[found.order[0]] == str(spec.route.start)
+        if spec.route.end:
+            assert points.labels[found.order[-1]] == spec.route.end
 
 
 def test_where_no_tour_has_minimal_legs_only_the_shortest_has_a_longer_one():
@@ -154,7 +154,7 @@ def test_where_no_tour_has_minimal_legs_only_the_shortest_has_a_longer_one():
         tuple("abcdefgh"),
         "list",
     )
-    spec = problem("route: {orientations: {lattice: tesseract}, tour: shortest, start: a, end: d}").route
+    spec = problem("route: {orientations: {lattice: tesseract}, tour: shortest, start: a, end: d}")
     found = tour(spec, points)
     assert np.degrees(found.length) == pytest.approx(6 * 120 + 180)
     assert found.is_shortest
@@ -163,7 +163,7 @@ def test_where_no_tour_has_minimal_legs_only_the_shortest_has_a_longer_one():
 
 def test_a_given_tour_gets_its_true_gap():
     points = random_set(8, 9)
-    given = tour(problem("route: {orientations: {lattice: 24-cell}, tour: given}").route, points)
+    given = tour(problem("route: {orientations: {lattice: 24-cell}, tour: given}"), points)
     sharp = sharpened(given, points)
     best = least_cost(angles(points.quaternions), Ends())[1]
     assert sharp.merits[0].bound == pytest.approx(best, rel=1e-12)
@@ -178,7 +178,7 @@ def test_many_neighbours_at_one_distance():
     grid = [(a, b) for a in range(0, 90, 15) for b in range(0, 90, 15)]
     q = Rotation.from_euler("ZY", grid, degrees=True).as_quat(scalar_first=True)
     points = OrientationSet(q, tuple(str(i) for i in range(len(q))), "list")
-    found = tour(problem("route: {orientations: {lattice: 24-cell}, tour: shortest}").route, points)
+    found = tour(problem("route: {orientations: {lattice: 24-cell}, tour: shortest}"), points)
     assert sorted(found.order) == list(range(36))
     assert found.length >= found.merits[0].bound > 0
 
@@ -208,9 +208,9 @@ def test_what_cannot_be_searched(spec, message):
 
     from timelaw.orientations import orientations
 
-    made = problem(f"route: {{{spec}}}").route
+    made = problem(f"route: {{{spec}}}")
     with pytest.raises(InputError) as error:
-        tour(made, orientations(made.orientations, Path()))
+        tour(made, orientations(made.route.orientations, Path()))
     assert str(error.value) == message
 
 

@@ -4,12 +4,14 @@ import numpy as np
 import pytest
 from scipy.interpolate import BSpline
 
-from tests.conftest import AXIS, PROBLEMS, demand, demands, random_limits
+from tests.cases import AXIS, PROBLEMS, demand, demands, random_limits
 from timelaw import design
 from timelaw.certificate.continuity import JUMP_TOLERANCE
-from timelaw.easing import Easing, SplineBasis, SplineFamily, fraction
-from timelaw.easing.double_s import least_time
-from timelaw.easing.family import divided
+from timelaw.easing import Easing
+from timelaw.easing.family import SplineFamily, divide_breaks
+from timelaw.easing.spline_basis import SplineBasis
+from timelaw.easing.time_scaling import used_fraction
+from timelaw.least_time.double_s import double_s_time
 from timelaw.nlp import RunProblem, Status
 from timelaw.nlp.optimise import solve_run
 
@@ -44,7 +46,7 @@ def test_the_basis_is_that_of_b_splines(degree, continuity):
 
 
 def test_breaks_are_divided_alike_and_none_becomes_too_short():
-    breaks = divided([0.0, 0.001, 0.2, 1.0], 31, 0.0005)
+    breaks = divide_breaks([0.0, 0.001, 0.2, 1.0], 31, 0.0005)
     assert {0.0, 0.001, 0.2, 1.0} <= set(breaks)
     assert len(breaks) == 32
     assert min(np.diff(breaks)) >= 0.0005 * (1 - 1e-9)
@@ -55,9 +57,9 @@ def check(angle, bounds, family):
     limits = dict(zip(("velocity", "acceleration", "jerk"), bounds, strict=True))
     legs = demands((angle,), limits)
     solution = solve_run(RunProblem(legs, SplineFamily(degree, intervals, continuity)))
-    limit = least_time(angle, *bounds)
+    limit = double_s_time(angle, *bounds)
     assert solution.status is not Status.CLOSED_FORM
-    assert fraction(legs, solution.timings) <= 1
+    assert used_fraction(legs, solution.timings) <= 1
     assert limit <= solution.duration * (1 + 1e-9)
     assert solution.duration <= limit * (1 + FAMILIES[family])
 
@@ -91,7 +93,7 @@ def test_splines_over_runs_pass_their_nodes_smoothly():
     limits = {"velocity": 1.0, "acceleration": 2.0, "jerk": 10.0}
     angles = (2.0, 0.5, 1.0)
     solution = solve_run(RunProblem(demands(angles, limits), SplineFamily(5, 60, 3)))
-    assert solution.duration <= least_time(3.5, 1.0, 2.0, 10.0) * 1.01
+    assert solution.duration <= double_s_time(3.5, 1.0, 2.0, 10.0) * 1.01
     for k, most in enumerate(limits.values(), 1):
         ends = [
             a * t.easing(1.0, k, "left") / t.duration**k
@@ -152,7 +154,7 @@ def test_torque_alone_agrees_with_toppra_as_the_easing_is_refined():
     durations = []
     for intervals in (12, 48, 192):
         solution = solve_run(RunProblem((leg,), SplineFamily(3, intervals, 1)))
-        assert fraction([leg], solution.timings) <= 1
+        assert used_fraction([leg], solution.timings) <= 1
         durations.append(solution.duration)
     assert durations[0] > durations[1] > durations[2] >= fine * (1 - grid_error)
     assert durations[2] <= fine * 1.005

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from tests.conftest import problem, unit_quaternions
+from tests.cases import problem, unit_quaternions
 from timelaw.errors import InputError
 from timelaw.orientations import OrientationSet, orientations
 from timelaw.orientations.lattices import lattice
@@ -56,7 +56,7 @@ def judged(order, name, closed):
 def searched(spec):
     made = problem(f"route: {{{spec}}}")
     points = orientations(made.route.orientations, Path())
-    return tour(made.route, points), points
+    return tour(made, points), points
 
 
 # name, closed, goal: straight nodes, turning [deg]
@@ -132,15 +132,15 @@ def test_a_600_cell_in_other_axes_and_another_order_has_the_same_tours(ends):
     q = (q * rng.choice([-1, 1], (60, 1)))[rng.permutation(60)]
     points = OrientationSet(q, tuple(str(i + 1) for i in range(60)), "list")
     for goal in ("fewest-stops", "least-turning"):
-        made = problem(f"route: {{orientations: {{lattice: 600-cell}}, tour: {goal}{ends}}}").route
+        made = problem(f"route: {{orientations: {{lattice: 600-cell}}, tour: {goal}{ends}}}")
         found = tour(made, points)
         assert sorted(found.order) == list(range(60))
-        angles, corners = turns(found.order, q, made.closed)
+        angles, corners = turns(found.order, q, made.route.closed)
         np.testing.assert_allclose(angles, 72, atol=1e-6)
         if goal == "fewest-stops":
             assert np.sum(corners < 1e-4) == 42
-        assert made.start in (None, str(found.order[0] + 1))
-        assert made.end in (None, str(found.order[-1] + 1))
+        assert made.route.start in (None, str(found.order[0] + 1))
+        assert made.route.end in (None, str(found.order[-1] + 1))
 
 
 def test_other_sets_of_sixty_are_not_taken_for_the_600_cell():
@@ -155,7 +155,7 @@ def test_other_sets_of_sixty_are_not_taken_for_the_600_cell():
 @pytest.mark.parametrize("digits", [4, 6, 8, 9, 10, 12])
 def test_a_600_cell_written_with_few_digits_is_the_lattice_or_refused(digits):
     points = OrientationSet(lattice("600-cell").round(digits), tuple(str(i + 1) for i in range(60)), "list")
-    spec = problem("route: {orientations: {lattice: 600-cell}, tour: fewest-stops}").route
+    spec = problem("route: {orientations: {lattice: 600-cell}, tour: fewest-stops}")
     if digits < 10:
         with pytest.raises(InputError, match="needs a tour whose legs all have the minimal distance"):
             tour(spec, points)
@@ -190,7 +190,7 @@ def test_the_fewest_stops_save_what_they_should():
     for name, total in (("24-cell", 26.2), ("600-cell", 82.7)):
         made = problem(f"route: {{orientations: {{lattice: {name}}}, tour: fewest-stops}}")
         points = orientations(made.route.orientations, Path())
-        way = route(points, tour(made.route, points))
+        way = route(points, tour(made, points))
         assert physical_limit(way, schedule(made, way)) == pytest.approx(total, rel=1e-12)
 
 

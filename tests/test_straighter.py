@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from tests.conftest import problem
+from tests.cases import problem
 from timelaw.errors import InputError
 from timelaw.orientations import OrientationSet
 from timelaw.orientations.lattices import lattice
@@ -25,8 +25,8 @@ def about_z(count, step):
 
 def made(q, spec):
     points = OrientationSet(q, tuple(str(i + 1) for i in range(len(q))), "list")
-    route = problem(f"route: {{orientations: {{lattice: 24-cell}}, {spec}}}").route
-    found = tour(route, points)
+    spec = problem(f"route: {{orientations: {{lattice: 24-cell}}, {spec}}}")
+    found = tour(spec, points)
     return found, {merit.name: merit for merit in found.merits}
 
 

@@ -9,7 +9,7 @@ import xml.etree.ElementTree as ET
 import numpy as np
 import pytest
 
-from tests.conftest import PROBLEMS
+from tests.cases import PROBLEMS
 from timelaw.errors import InputError
 from timelaw.study import read_study, run_study
 from timelaw.study.table import study_csv

@@ -7,7 +7,7 @@ from collections import Counter
 import numpy as np
 import pytest
 
-from tests.conftest import PROBLEMS
+from tests.cases import PROBLEMS
 from timelaw.cli.tour import run
 from timelaw.errors import InputError
 from timelaw.orientations.table import read_table

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.conftest import problem
+from tests.cases import problem
 from timelaw.errors import InputError
 from timelaw.orientations import orientations
 from timelaw.tours import tour
@@ -16,8 +16,8 @@ MINIMAL = {"16-cell": 180, "tesseract": 120, "24-cell": 120, "600-cell": 72, "12
 
 
 def make(route: str):
-    spec = problem(f"route: {{{route}}}").route
-    points = orientations(spec.orientations, Path())
+    spec = problem(f"route: {{{route}}}")
+    points = orientations(spec.route.orientations, Path())
     return tour(spec, points), points.quaternions
 
 

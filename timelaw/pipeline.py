@@ -4,11 +4,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from timelaw.certificate import Certificate, certify
-from timelaw.easing import Family
-from timelaw.easing.choose import families, within
-from timelaw.easing.timing import clock
-from timelaw.motion import QuaternionLaw, compose
+from timelaw.easing.family import Family
+from timelaw.motion import QuaternionLaw
+from timelaw.motion.quaternion_law import compose
 from timelaw.nlp import Optimised, optimise
+from timelaw.nlp.easing_choice import allowed_excess, choose_families
 from timelaw.orientations import OrientationSet, orientations
 from timelaw.problem import Problem, Source, load
 from timelaw.progress import Progress
@@ -64,8 +64,10 @@ def design_problem(path: Path, problem: Problem, source: Source, progress: Progr
     """Design the law of a problem that is already read; tables are looked for beside `path`."""
     with source.placed():
         points, order, way, plan = _lay_out(path, problem, progress)
-        candidates = families(problem)
-        family, solution = optimise(way, plan, candidates, within(problem), problem.objective, progress)
+        candidates = choose_families(problem)
+        family, solution = optimise(
+            way, plan, candidates, allowed_excess(problem), problem.objective, progress
+        )
     law = _certified(problem, way, optimised(solution, plan), plan, problem.nodes.continuity)
     baselines = [b for name in problem.baselines for b in BASELINES[name](way, plan)]
     beside = tuple(_certified(problem, way, time_law, plan) for time_law in baselines)
@@ -99,7 +101,7 @@ def _lay_out(
     path: Path, problem: Problem, progress: Progress | None
 ) -> tuple[OrientationSet, Tour, Route, Schedule]:
     points = orientations(problem.route.orientations, path.parent)
-    order = tour(problem.route, points, lambda: clock(problem, points, progress), progress)
+    order = tour(problem, points, progress)
     way = route(points, order)
     return points, order, way, schedule(problem, way)
 

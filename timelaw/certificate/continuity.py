@@ -7,7 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from timelaw.motion import Arc, QuaternionLaw, Segment
+from timelaw.motion import QuaternionLaw, Segment
+from timelaw.motion.arc import Arc
 from timelaw.motion.schema import RATES
 from timelaw.numerics.array import Array
 from timelaw.numerics.extrema import peaks

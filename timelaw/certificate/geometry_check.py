@@ -5,7 +5,8 @@ from itertools import pairwise
 
 import numpy as np
 
-from timelaw.motion import Arc, QuaternionLaw, Segment
+from timelaw.motion import QuaternionLaw, Segment
+from timelaw.motion.arc import Arc
 from timelaw.numerics.quaternion import from_axis_angle, multiply
 
 UNIT_TOLERANCE = 1e-9  # |norm - 1|

@@ -6,46 +6,21 @@ from math import inf
 
 import numpy as np
 
-from timelaw.easing.double_s import NEGLIGIBLE, Phase, least_time, profile, ramp_times
-from timelaw.easing.easing import Easing, Timing
-from timelaw.easing.phase_plane import acceleration_limits, has_coupling, speed_limit
-from timelaw.easing.stretch import fit_to_limits
-from timelaw.limits import Row
-from timelaw.limits.demand import Demand
+from timelaw.easing.easing import Easing
+from timelaw.easing.time_scaling import fit_to_limits
+from timelaw.easing.timing import Timing
+from timelaw.least_time.constant_bounds import choose_bounds
+from timelaw.least_time.double_s import NEGLIGIBLE, Phase, double_s_time, list_phases, ramp_times
+from timelaw.limits import Demand
 from timelaw.numerics.bernstein import hermite_matrix
 
 BISECTIONS = 80  # a monotone cubic is solved to the last bit
 WRITTEN_TOLERANCE = 1e-7  # relative time that rounding of control points may cost unnoticed
 SHORTEST_PHASE = 2e-5  # of the run: the jerk of shorter phases drowns in the rounding of control points
 JERK_FACTORS = (1.0, 1 - 1e-6, 1 - 1e-5, 1 - 1e-4, 0.999, 0.99, 0.9, 0.5, 0.2, 0.1, 0.03, 0.01)
-SPEED_SHARES = [k / 64 for k in range(1, 65)]  # of the speed that torque allows: a percent or two apart
 
 
-def rate_bounds(rows: Sequence[Row]) -> tuple[float, float, float]:
-    """Bounds on φ', φ'' and φ''' from the rows of plain rates, inf for one that is not there."""
-    w, a, j = (min((row.rate_bound(k) for row in rows), default=inf) for k in (1, 2, 3))
-    return w, a, j
-
-
-def constant_bounds(demands: Sequence[Demand]) -> tuple[float, float, float]:
-    """Bounds (w, a, j) that hold on all legs of a run and imply every row, the best for its angle.
-
-    Torque ties φ'' to φ'²; of all speeds v not to be exceeded, each with the φ'' that torque leaves
-    up to it, the pair that makes the profile shortest is taken.
-    """
-    rows = [row for demand in demands for row in demand.rows]
-    w, a, j = rate_bounds(rows)
-    if not has_coupling(rows):
-        return w, a, j
-    angle = sum(demand.angle for demand in demands)
-    fastest = speed_limit(rows)
-    if fastest == inf:  # no gyroscopic part: torque is a plain bound on φ''
-        return w, min(acceleration_limits(rows, 0.0)), j
-    pairs = [(min(w, s * fastest), min(acceleration_limits(rows, s * fastest)), j) for s in SPEED_SHARES]
-    return min((p for p in pairs if p[1] > 0), key=lambda p: least_time(angle, *p))
-
-
-def fitted_run_timings(demands: Sequence[Demand]) -> tuple[Timing, ...]:
+def fit_double_s(demands: Sequence[Demand]) -> tuple[Timing, ...]:
     """The profile over a run as it can be written in control points, within the limits for certain.
 
     Control points near 1 resolve 1e-16, so a phase of width h of the leg has its jerk rounded by
@@ -54,14 +29,14 @@ def fitted_run_timings(demands: Sequence[Demand]) -> tuple[Timing, ...]:
     No jerk phase is shorter than 2e-5 of the run, which costs as much of the time.
     """
     angles = [demand.angle for demand in demands]
-    w, a, j = constant_bounds(demands)
-    ideal = least_time(float(sum(angles)), w, a, j)
+    w, a, j = choose_bounds(demands)
+    ideal = double_s_time(float(sum(angles)), w, a, j)
     best: tuple[Timing, ...] = ()
     least = inf
     t_j, t_a, t_v = ramp_times(float(sum(angles)), w, a, j)
     slowed = min(1.0, t_j / (SHORTEST_PHASE * (2 * t_a + t_v))) if j < inf else 1.0
     for factor in [slowed * factor for factor in JERK_FACTORS] if j < inf else [1.0]:
-        timings = fit_to_limits(demands, run_timings(angles, w, a, j * factor))
+        timings = fit_to_limits(demands, cut_double_s(angles, w, a, j * factor))
         total = sum(timing.duration for timing in timings)
         if total < least:
             best, least = timings, total
@@ -70,10 +45,10 @@ def fitted_run_timings(demands: Sequence[Demand]) -> tuple[Timing, ...]:
     return best
 
 
-def run_timings(angles: Sequence[float], w: float, a: float, j: float) -> tuple[Timing, ...]:
+def cut_double_s(angles: Sequence[float], w: float, a: float, j: float) -> tuple[Timing, ...]:
     """The profile over a whole run, cut at the nodes it passes: one timing per leg."""
     total = float(sum(angles))
-    phases = profile(total, w, a, j)
+    phases = list_phases(total, w, a, j)
     timings: list[Timing] = []
     start = 0.0
     for angle in angles[:-1]:

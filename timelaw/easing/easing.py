@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from timelaw.numerics.array import Array
 from timelaw.numerics.bernstein import derivative_rounding, differentiate, evaluate
@@ -60,17 +60,12 @@ class Easing:
         ]
 
 
-@dataclass(frozen=True)
-class Timing:
-    """How one leg is run through: in `duration` [s], by `easing`."""
+def locate(times: Array, t: Array, side: Side) -> NDArray[np.int64]:
+    """Index of the interval of `times` (n+1,) that holds each t, from the given side of a node.
 
-    duration: float
-    easing: Easing
-
-    def rates(self, angle: float, order: int) -> list[Polynomial]:
-        """The polynomials d^k φ/dt^k = θ f^(k)/T^k on the intervals."""
-        return [piece * (angle / self.duration**order) for piece in self.easing.derivative(order)]
-
-    def stretched(self, factor: float) -> "Timing":
-        """The same easing in `factor` times the time."""
-        return Timing(self.duration * factor, self.easing)
+    Raises:
+        ValueError: t outside [times[0], times[-1]].
+    """
+    if np.any(~((t >= times[0]) & (t <= times[-1]))):
+        raise ValueError(f"time outside [{times[0]:g}, {times[-1]:.17g}] s")
+    return np.clip(np.searchsorted(times, t, side=side) - 1, 0, len(times) - 2)

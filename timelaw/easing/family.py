@@ -8,11 +8,12 @@ from typing import Protocol
 import numpy as np
 
 from timelaw.easing import smoothstep
-from timelaw.easing.double_s_easing import constant_bounds, fitted_run_timings
-from timelaw.easing.easing import Timing
-from timelaw.easing.polynomial import PolynomialBasis
-from timelaw.easing.spline import SplineBasis
-from timelaw.limits.demand import Demand
+from timelaw.easing.double_s_easing import fit_double_s
+from timelaw.easing.polynomial_basis import PolynomialBasis
+from timelaw.easing.spline_basis import SplineBasis
+from timelaw.easing.timing import Timing
+from timelaw.least_time.constant_bounds import choose_bounds
+from timelaw.limits import Demand
 from timelaw.numerics.array import Array
 
 Basis = PolynomialBasis | SplineBasis
@@ -65,7 +66,7 @@ class PolynomialFamily:
 
     def closed_form(self, demands: Sequence[Demand]) -> tuple[Timing, ...]:
         """The smoothstep over the run, which the basis contains."""
-        return smoothstep.run_timings(demands, self.continuity)
+        return smoothstep.time_run(demands, self.continuity)
 
     start = closed_form
 
@@ -91,7 +92,7 @@ class SplineFamily:
 
     def bases(self, demands: Sequence[Demand]) -> tuple[Basis, ...]:
         """Breaks from the profile over the run, cut at its nodes."""
-        profile = fitted_run_timings(demands)
+        profile = fit_double_s(demands)
         return tuple(self._basis(timing) for timing in profile)
 
     def _basis(self, timing: Timing) -> SplineBasis:
@@ -100,24 +101,24 @@ class SplineFamily:
         if self.continuity > 3:
             fourth = third / float(np.min(np.diff(timing.easing.breaks)))
             least = max(least, (400 * np.finfo(float).eps / JERK_RESOLUTION / fourth) ** (1 / 4))
-        breaks = divided(timing.easing.breaks.tolist(), self.intervals, least)
+        breaks = divide_breaks(timing.easing.breaks.tolist(), self.intervals, least)
         return SplineBasis(self.degree, breaks, self.continuity, (first, second, third))
 
     def closed_form(self, demands: Sequence[Demand]) -> tuple[Timing, ...]:
         """The double-S profile, a spline of degree 3; for smoother ones the smoothstep."""
-        slow = smoothstep.run_timings(demands, self.continuity)
+        slow = smoothstep.time_run(demands, self.continuity)
         if self.degree > PROFILE_DEGREE or profile_class(demands) < self.continuity:
             return slow
         return min(slow, self.start(demands), key=lambda timings: sum(t.duration for t in timings))
 
     def start(self, demands: Sequence[Demand]) -> tuple[Timing, ...]:
         """The double-S profile, which smoother splines come near to."""
-        return fitted_run_timings(demands)
+        return fit_double_s(demands)
 
 
 def profile_class(demands: Sequence[Demand]) -> int:
     """The class C^k of the double-S profile: 2 where jerk is limited, 1 where acceleration is, else 0."""
-    _, a, j = constant_bounds(demands)
+    _, a, j = choose_bounds(demands)
     return 2 if j < float("inf") else 1 if a < float("inf") else 0
 
 
@@ -138,12 +139,12 @@ class DoubleSFamily:
 
     def closed_form(self, demands: Sequence[Demand]) -> tuple[Timing, ...]:
         """The profile over the run."""
-        return fitted_run_timings(demands)
+        return fit_double_s(demands)
 
     start = closed_form
 
 
-def divided(breaks: Sequence[float], intervals: int, least: float) -> tuple[float, ...]:
+def divide_breaks(breaks: Sequence[float], intervals: int, least: float) -> tuple[float, ...]:
     """Divide the intervals between breaks until there are about `intervals`, none shorter than `least`.
 
     All are divided alike, so that a short ramp gets as many as a long cruise, but for those that

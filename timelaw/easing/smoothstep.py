@@ -8,36 +8,37 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from timelaw.easing.easing import Easing, Timing
-from timelaw.easing.stretch import fit_to_limits
-from timelaw.limits.demand import Demand
+from timelaw.easing.easing import Easing
+from timelaw.easing.time_scaling import fit_to_limits
+from timelaw.easing.timing import Timing
+from timelaw.limits import Demand
 from timelaw.numerics.array import Array
 from timelaw.numerics.bernstein import evaluate, split
 
 BISECTIONS = 60  # halvings of [0, 1]: the last bit of a double
 
 
-def smoothstep(continuity: int) -> Array:
+def control_points(continuity: int) -> Array:
     """Control points (2r+2,) of the smoothstep with r = `continuity` zero derivatives."""
     return np.repeat([0.0, 1.0], continuity + 1)
 
 
-def leg_timing(demand: Demand, continuity: int) -> Timing:
+def time_leg(demand: Demand, continuity: int) -> Timing:
     """The smoothstep over one leg, from stop to stop, in its least time.
 
     The quintic's derivatives peak at 15/8, 10/√3 and 60, so that under norm limits
     T = max(1.875 θ/w, √(5.7735 θ/a), ∛(60 θ/j)).
     """
-    return fit_to_limits([demand], [Timing(1.0, Easing.single(smoothstep(continuity)))])[0]
+    return fit_to_limits([demand], [Timing(1.0, Easing.single(control_points(continuity)))])[0]
 
 
-def run_timings(demands: Sequence[Demand], continuity: int) -> tuple[Timing, ...]:
+def time_run(demands: Sequence[Demand], continuity: int) -> tuple[Timing, ...]:
     """One smoothstep over a whole run, in its least time, cut at the nodes it passes.
 
     The slope is cut, whose control points are all positive, so that a leg which is a tiny part of
     the run keeps its digits.
     """
-    slope = np.diff(smoothstep(continuity))
+    slope = np.diff(control_points(continuity))
     left = float(sum(demand.angle for demand in demands))
     duration = 1.0
     timings: list[Timing] = []

@@ -1,57 +1,22 @@
-"""The clock by which a problem's fastest tour is searched."""
+"""How one leg is run through: in what time, by which easing."""
 
-from timelaw.easing.clock import Clock
-from timelaw.errors import Fault, InputError, list_some
-from timelaw.limits import make_limits
-from timelaw.orientations import OrientationSet
-from timelaw.problem import Problem
-from timelaw.progress import Progress
+from dataclasses import dataclass
+
+from timelaw.easing.easing import Easing
+from timelaw.numerics.polynomial import Polynomial
 
 
-def clock(problem: Problem, points: OrientationSet, progress: Progress | None) -> Clock:
-    """Times of motions under the limits, the general ones and those at nodes, and of all dwells.
+@dataclass(frozen=True)
+class Timing:
+    """How one leg is run through: in `duration` [s], by `easing`."""
 
-    Raises:
-        InputError: a rule that has no meaning before there is a route, or a node that is none.
-    """
-    _refuse_what_cannot_be_timed(problem)
-    rules = problem.nodes.at
-    unknown = [label for label in rules if label not in points.labels]
-    if unknown:
-        message = f'no orientation is called "{unknown[0]}"; there are {list_some(points.labels)}'
-        raise InputError(Fault(message, f"nodes.at.{unknown[0]}"))
-    general, own = problem.nodes.dwell, {label: rule.dwell for label, rule in rules.items()}
-    dwells = {label: general if own.get(label) is None else own[label] or 0.0 for label in points.labels}
-    stops = {label for label, rule in rules.items() if rule.stop}
-    passable = [i for i, label in enumerate(points.labels) if not (label in stops or dwells[label] > 0)]
-    inertia = problem.inertia()
-    slower = {
-        points.labels.index(label): make_limits(rule.limits.given(), inertia)
-        for label, rule in rules.items()
-        if rule.limits
-    }
-    return Clock(
-        points.quaternions,
-        make_limits(problem.limits.given(), inertia),
-        passable,
-        progress,
-        slower,
-        sum(dwells.values()),
-    )
+    duration: float
+    easing: Easing
 
+    def rates(self, angle: float, order: int) -> list[Polynomial]:
+        """The polynomials d^k φ/dt^k = θ f^(k)/T^k on the intervals."""
+        return [piece * (angle / self.duration**order) for piece in self.easing.derivative(order)]
 
-def _refuse_what_cannot_be_timed(problem: Problem) -> None:
-    """The fastest tour is known by the times between any two orientations, from rest to rest."""
-    rest = '"fastest" compares motions from rest to rest'
-    legs = '"fastest" chooses the legs; give the tour it finds as a list or with given'
-    wrong = [
-        *((f"nodes.{key}", rest) for key in ("start", "end") if getattr(problem.nodes, key)),
-        *(
-            (f"nodes.at.{label}.time", f"{rest}, whenever they begin")
-            for label, r in problem.nodes.at.items()
-            if r.time is not None
-        ),
-        *((f"segments.{name}", legs) for name in problem.segments),
-    ]
-    if wrong:
-        raise InputError(*(Fault(message, where) for where, message in wrong))
+    def stretched(self, factor: float) -> "Timing":
+        """The same easing in `factor` times the time."""
+        return Timing(self.duration * factor, self.easing)

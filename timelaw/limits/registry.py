@@ -11,14 +11,7 @@ from timelaw.limits.rate import Rate
 from timelaw.limits.row import Row
 from timelaw.limits.torque import Torque
 from timelaw.numerics.array import Array
-from timelaw.units import (
-    ANGULAR_ACCELERATION,
-    ANGULAR_JERK,
-    ANGULAR_SNAP,
-    ANGULAR_VELOCITY,
-    MOMENTUM,
-    TORQUE,
-)
+from timelaw.units import ANGULAR_ACCELERATION, ANGULAR_JERK, ANGULAR_SNAP, ANGULAR_VELOCITY, MOMENTUM, TORQUE
 
 LIMITS: dict[str, LimitKind] = {
     "velocity": LimitKind(ANGULAR_VELOCITY, lambda bounds, _: Rate("velocity", 1, bounds)),

@@ -8,7 +8,7 @@ import numpy as np
 
 from timelaw.easing import Easing, Timing
 from timelaw.easing.easing import Side
-from timelaw.limits.bounds import Bounds
+from timelaw.limits import Bounds
 from timelaw.numerics.array import Array
 from timelaw.numerics.polynomial import Polynomial
 from timelaw.numerics.quaternion import from_axis_angle, multiply

@@ -8,8 +8,7 @@ from pydantic import ValidationError
 
 from timelaw.easing import Easing
 from timelaw.errors import Fault, InputError
-from timelaw.limits import LIMITS
-from timelaw.limits.bounds import Bounds
+from timelaw.limits import LIMITS, Bounds
 from timelaw.motion.arc import Arc
 from timelaw.motion.dwell import Dwell
 from timelaw.motion.quaternion_law import QuaternionLaw

@@ -6,9 +6,8 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import ArrayLike
 
-from timelaw.easing.easing import Side
-from timelaw.limits import Row, list_rows, make_limits
-from timelaw.limits.bounds import Bounds
+from timelaw.easing.easing import Side, locate
+from timelaw.limits import Bounds, Row, list_rows, make_limits
 from timelaw.motion.arc import Arc
 from timelaw.motion.dwell import Dwell
 from timelaw.numerics.array import Array
@@ -17,7 +16,6 @@ from timelaw.numerics.quaternion import rotation_matrix
 from timelaw.route import Route
 from timelaw.schedule import Schedule
 from timelaw.time_law import TimeLaw
-from timelaw.time_law.time_law import locate
 
 Segment = Arc | Dwell
 MAX_ORDER = 4  # q, ω, α, jerk and snap are what a law is evaluated for

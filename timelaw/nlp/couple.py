@@ -4,7 +4,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import accumulate
 
-from timelaw.easing import Timing, fraction
+from timelaw.easing import Timing
+from timelaw.easing.time_scaling import used_fraction
 from timelaw.errors import Fault, InfeasibleError
 from timelaw.nlp.program import Budget, Program, RunProblem, Solution, Status, total
 from timelaw.problem.goal import Goal
@@ -63,11 +64,11 @@ def couple(
     if solution is not None and _holds(program, solution):
         return _on_time(runs, solution, budgets)
     peak = solve_from(replace(program, objective="peak", weight=None), start)
-    if elastic and fraction(program.demands, start) <= 1 and (peak is None or not _holds(program, peak)):
+    if elastic and used_fraction(program.demands, start) <= 1 and (peak is None or not _holds(program, peak)):
         return Solution(start, Status.STRETCHED)
     if peak is None:
         raise InfeasibleError("the solver found no law in the given times; give more time or another degree")
-    used = fraction(program.demands, peak.timings)
+    used = used_fraction(program.demands, peak.timings)
     if used > 1:
         message = f"within the given times the limits would have to be {used:.6g} times as large"
         raise InfeasibleError(Fault(message, given[-1].where if given else ""))
@@ -79,7 +80,7 @@ def couple(
 
 def _holds(program: Program, solution: Solution) -> bool:
     """Whether the limits hold, proved; what makes the used part least may find it above 1."""
-    used = fraction(program.demands, solution.timings)
+    used = used_fraction(program.demands, solution.timings)
     if program.objective == "peak" and used > 1 + AT_MINIMUM:
         message = f"within the given times the limits would have to be {used:.6g} times as large"
         raise InfeasibleError(Fault(message, "objective.total_time"))

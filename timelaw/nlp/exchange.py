@@ -11,7 +11,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from timelaw.easing import Timing, fit_to_limits, fraction
+from timelaw.easing import Timing
+from timelaw.easing.time_scaling import fit_to_limits, used_fraction
 from timelaw.nlp.extrema_search import add_extrema
 from timelaw.nlp.ipopt import Outcome, solve
 from timelaw.nlp.program import Program, Solution, Status, total
@@ -71,7 +72,7 @@ def _fitted(program: Program, timings: Sequence[Timing]) -> tuple[Timing, ...]:
 def _start(program: Program, timings: Sequence[Timing], units: Array) -> Array:
     """Variables of the last timings, a little inside the limits where time may be stretched."""
     inside = [timing.stretched(INSIDE) for timing in timings] if program.elastic else list(timings)
-    used = fraction(program.demands, inside) if program.objective == "peak" else 0.0
+    used = used_fraction(program.demands, inside) if program.objective == "peak" else 0.0
     return pack(program, inside, units, INSIDE * used)
 
 
@@ -87,7 +88,7 @@ def _closed(
     if program.elastic:
         timings = _fitted(program, found)
         return timings, total(timings) / total(found) - 1
-    excess = fraction(program.demands, found) / _used(program, outcome) - 1
+    excess = used_fraction(program.demands, found) / _used(program, outcome) - 1
     return found, excess if program.objective == "peak" else excess + GAP  # within the margin, no gap
 
 

@@ -8,8 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from timelaw.easing import Timing
-from timelaw.limits import Row
-from timelaw.limits.demand import Demand
+from timelaw.limits import Demand, Row
 from timelaw.nlp.program import Program
 from timelaw.numerics.array import Array
 

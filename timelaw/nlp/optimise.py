@@ -3,9 +3,11 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
-from timelaw.easing import DoubleSFamily, Family, PolynomialFamily, Timing, fraction, smoothstep
-from timelaw.easing.physical_limit import physical_limit
+from timelaw.easing import Timing, smoothstep
+from timelaw.easing.family import DoubleSFamily, Family, PolynomialFamily
+from timelaw.easing.time_scaling import used_fraction
 from timelaw.errors import Fault, InfeasibleError
+from timelaw.least_time.physical_limit import run_limit
 from timelaw.nlp.couple import couple, deadlines
 from timelaw.nlp.program import Program, RunProblem, Solution, Status, total
 from timelaw.problem.goal import Goal
@@ -68,7 +70,7 @@ def solve_run(problem: RunProblem) -> Solution:
     if isinstance(problem.family, DoubleSFamily):
         return Solution(whole, Status.CHOSEN)
     fallback = Solution(whole, Status.CLOSED_FORM)
-    if problem.elastic and fallback.duration <= physical_limit(problem.demands) * (1 + SAME_TIME):
+    if problem.elastic and fallback.duration <= run_limit(problem.demands) * (1 + SAME_TIME):
         return replace(fallback, status=Status.PHYSICAL_LIMIT)
     if problem.elastic and not problem.bases[0].free and len(problem.demands) == 1:
         return replace(fallback, status=Status.OPTIMAL)
@@ -112,7 +114,7 @@ def _why(program: Program, start: tuple[Timing, ...]) -> Fault:
     what = "within the given durations and end rates of a run"
     if peak is None:
         return Fault(f"{what} the solver found no law; give more time or another degree", "segments")
-    used = fraction(program.demands, peak.timings)
+    used = used_fraction(program.demands, peak.timings)
     return Fault(f"{what} the limits would have to be {used:.6g} times as large", "segments")
 
 
@@ -120,12 +122,12 @@ def _plausible(program: Program, solution: Solution, fallback: Solution) -> bool
     """Faster than the closed form; where time cannot be stretched, within the limits."""
     if program.elastic:
         return solution.duration <= fallback.duration * (1 + SAME_TIME)
-    return fraction(program.demands, solution.timings) <= 1
+    return used_fraction(program.demands, solution.timings) <= 1
 
 
 def _second_start(problem: RunProblem) -> list[Timing]:
     """Smoothsteps that stop at each node, in twice their least time: deep inside the limits."""
-    stops = [smoothstep.leg_timing(demand, problem.family.continuity) for demand in problem.demands]
+    stops = [smoothstep.time_leg(demand, problem.family.continuity) for demand in problem.demands]
     return [timing.stretched(2.0) for timing in stops]
 
 
@@ -178,7 +180,7 @@ def _least_within(
     runs = schedule.runs(route)
     for index, run in enumerate(runs):
         moving = (index == 0 and any(schedule.start)) or (index == len(runs) - 1 and any(schedule.end))
-        limit += physical_limit([schedule.demands[k] for k in run.legs], moving=moving)
+        limit += run_limit([schedule.demands[k] for k in run.legs], moving=moving)
     best: tuple[Family, Optimised] | None = None
     for family in families:
         least = least_time(run_problems(route, schedule, family), progress)

@@ -5,8 +5,9 @@ from dataclasses import dataclass
 from enum import Enum
 from functools import cached_property
 
-from timelaw.easing import Basis, Family, Timing
-from timelaw.limits.demand import Demand
+from timelaw.easing import Timing
+from timelaw.easing.family import Basis, Family
+from timelaw.limits import Demand
 
 
 @dataclass(frozen=True)

@@ -16,8 +16,9 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from timelaw.easing import Basis, Timing
-from timelaw.limits.demand import Demand
+from timelaw.easing import Timing
+from timelaw.easing.family import Basis
+from timelaw.limits import Demand
 from timelaw.nlp.program import Program, RunProblem
 from timelaw.numerics.array import Array
 from timelaw.objectives import EFFORTS

@@ -6,7 +6,7 @@ from itertools import pairwise
 import numpy as np
 
 from timelaw.easing import Timing
-from timelaw.limits.demand import Demand
+from timelaw.limits import Demand
 from timelaw.objectives.objective import EFFORTS
 
 NODES = 64  # Gauss-Legendre is exact up to degree 127, the fourth power of a slope of degree 31 is of 120

@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from timelaw.limits.demand import Demand
+from timelaw.limits import Demand
 
 
 @dataclass(frozen=True)

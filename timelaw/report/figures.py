@@ -7,9 +7,11 @@ from typing import Any
 import numpy as np
 
 from timelaw.easing import Easing
-from timelaw.easing.double_s_easing import rate_bounds
-from timelaw.easing.smoothstep import smoothstep
-from timelaw.motion import Arc, Dwell, QuaternionLaw
+from timelaw.easing.smoothstep import control_points
+from timelaw.least_time.constant_bounds import rate_bounds
+from timelaw.motion import QuaternionLaw
+from timelaw.motion.arc import Arc
+from timelaw.motion.dwell import Dwell
 from timelaw.pipeline import Design
 from timelaw.report.binding import part_curves
 from timelaw.report.curves import rate_curve
@@ -149,7 +151,7 @@ def _easings(design: Design) -> str:
     segments = [s for s in design.optimised.law.segments if isinstance(s, Arc)]
     for ax, order, title in ((axes[0], 0, "easing f(τ)"), (axes[1], 1, "its slope f′(τ)")):
         if any(b.name == "quintic" for b in design.baselines):
-            grey = Easing.single(smoothstep(PAPER_CONTINUITY))
+            grey = Easing.single(control_points(PAPER_CONTINUITY))
             ax.plot(tau, grey(tau, order), color=QUINTIC, linewidth=1.1)
         for key in dict.fromkeys(s.easing.pieces[0].tobytes() for s in segments):
             easing = next(s.easing for s in segments if s.easing.pieces[0].tobytes() == key)

@@ -13,7 +13,7 @@ from timelaw import __version__
 from timelaw.certificate import NodeReport
 from timelaw.certificate.certificate import RECORD_TOLERANCE
 from timelaw.certificate.continuity import JUMP_TOLERANCE
-from timelaw.motion import Arc
+from timelaw.motion.arc import Arc
 from timelaw.nlp.exchange import GAP
 from timelaw.pipeline import Design
 from timelaw.problem.goal import Goal

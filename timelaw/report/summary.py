@@ -4,8 +4,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from timelaw.easing.physical_limit import physical_limit as run_limit
-from timelaw.limits.demand import Demand
+from timelaw.least_time.physical_limit import run_limit as run_limit
+from timelaw.limits import Demand
 from timelaw.nlp import Solution
 from timelaw.objectives import EFFORTS, effort_of
 from timelaw.pipeline import Certified, Design

@@ -4,9 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from timelaw.errors import Fault, InputError, list_some
-from timelaw.limits import drop_implied, list_rows, make_limits
-from timelaw.limits.bounds import Bounds
-from timelaw.limits.demand import Demand
+from timelaw.limits import Bounds, Demand, drop_implied, list_rows, make_limits
 from timelaw.limits.torque import square_torque
 from timelaw.numerics.array import Array
 from timelaw.problem.model import Problem

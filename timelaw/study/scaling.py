@@ -12,9 +12,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from timelaw.easing import PolynomialFamily
-from timelaw.limits import drop_implied, list_rows, make_limits
-from timelaw.limits.demand import Demand
+from timelaw.easing.family import PolynomialFamily
+from timelaw.limits import Demand, drop_implied, list_rows, make_limits
 from timelaw.nlp.couple import Deadline, couple
 from timelaw.nlp.optimise import least_time
 from timelaw.nlp.program import Budget, RunProblem, total

@@ -3,9 +3,9 @@
 from collections.abc import Callable, Sequence
 
 from timelaw.easing import Timing, smoothstep
-from timelaw.easing import physical_limit as limit
-from timelaw.easing.double_s_easing import fitted_run_timings
-from timelaw.limits.demand import Demand
+from timelaw.easing.double_s_easing import fit_double_s
+from timelaw.least_time import physical_limit as limit
+from timelaw.limits import Demand
 from timelaw.route import Route
 from timelaw.schedule import Schedule
 from timelaw.time_law.time_law import TimeLaw
@@ -21,7 +21,7 @@ def quintic(schedule: Schedule) -> TimeLaw:
     known: dict[object, Timing] = {}
     for demand in schedule.demands:
         if demand.key() not in known:
-            known[demand.key()] = _fixed(demand, smoothstep.leg_timing(demand, PAPER_CONTINUITY))
+            known[demand.key()] = _fixed(demand, smoothstep.time_leg(demand, PAPER_CONTINUITY))
     return TimeLaw("quintic", tuple(known[d.key()] for d in schedule.demands), schedule.dwells)
 
 
@@ -32,7 +32,7 @@ def double_s(route: Route, schedule: Schedule, *, stop: bool = False) -> TimeLaw
     for demands in chains(route, schedule, stop=stop):
         key = tuple(d.key() for d in demands)
         if key not in known:
-            known[key] = fitted_run_timings(demands)
+            known[key] = fit_double_s(demands)
             if len(demands) == 1:
                 known[key] = (_fixed(demands[0], known[key][0]),)
         timings += known[key]
@@ -75,6 +75,6 @@ def physical_limit(route: Route, schedule: Schedule, *, stop: bool = False) -> f
         moving = (index == 0 and any(schedule.start)) or (index == len(runs) - 1 and any(schedule.end))
         key = (moving, *(d.key() for d in demands))
         if key not in known:
-            known[key] = limit.physical_limit(demands, moving=moving)
+            known[key] = limit.run_limit(demands, moving=moving)
         result += known[key]
     return result

@@ -5,10 +5,10 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from timelaw.easing import Timing
-from timelaw.easing.easing import Side
+from timelaw.easing.easing import Side, locate
 from timelaw.numerics.array import Array
 
 
@@ -73,14 +73,3 @@ class TimeLaw:
             if order == 0:
                 value[here] += number
         return value
-
-
-def locate(times: Array, t: Array, side: Side) -> NDArray[np.int64]:
-    """Index of the interval of `times` (n+1,) that holds each t, from the given side of a node.
-
-    Raises:
-        ValueError: t outside [times[0], times[-1]].
-    """
-    if np.any(~((t >= times[0]) & (t <= times[-1]))):
-        raise ValueError(f"time outside [{times[0]:g}, {times[-1]:.17g}] s")
-    return np.clip(np.searchsorted(times, t, side=side) - 1, 0, len(times) - 2)

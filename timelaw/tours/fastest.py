@@ -2,18 +2,18 @@
 
 from collections.abc import Iterable
 from itertools import islice, pairwise
-from typing import Protocol
 
 from timelaw.numerics.array import Array
 from timelaw.progress import Progress
-from timelaw.tours.chains import Chains
 from timelaw.tours.ends import Ends
 from timelaw.tours.lower_bound import held_karp
 from timelaw.tours.merit import Merit, Searched
 from timelaw.tours.shortest import EXACT, TREES, opened, places, short_tour
 from timelaw.tours.subsets import MOST_NODES, Move, least
+from timelaw.tours.travel_times import TravelTimes
 
 Order = tuple[int, ...]
+
 TIME = "time"
 ROUNDING = 1e-12  # relative; smaller gains of time are rounding
 MOST_MOVES = 4000  # for comparing all: a few seconds
@@ -22,90 +22,57 @@ POLISHING = 100_000  # variants of a tour that are timed
 STRETCH = 8  # nodes a polishing move takes along
 
 
-class Clock(Protocol):
-    """How long motions take at least under the limits [s], before there is a route.
-
-    No run takes less than its legs' times at the velocity limit. Arrays (N, N) are symmetric.
-    """
-
-    rest: float  # what every tour dwells in all
-
-    @property
-    def legs(self) -> Array:
-        """Single legs from rest to rest."""
-        ...
-
-    @property
-    def cruise(self) -> Array:
-        """Legs at the velocity limit all along; 0 where there is none."""
-        ...
-
-    @property
-    def most_runs(self) -> int:
-        """How many runs can be timed in some ten seconds."""
-        ...
-
-    @property
-    def chains(self) -> Chains:
-        """Where the body can go straight on."""
-        ...
-
-    def run(self, stops: Order) -> float:
-        """A run over several visits."""
-        ...
-
-
 def fastest(
-    clock: Clock, ends: Ends, known: Iterable[Order] = (), progress: Progress | None = None
+    travel: TravelTimes, ends: Ends, known: Iterable[Order] = (), progress: Progress | None = None
 ) -> Searched:
     """A tour of least time: exact for small sets, otherwise the best found, with a lower bound.
 
     `known` are tours to begin from, besides the one that is short in time when all nodes are stops.
     """
-    count = len(clock.legs)
-    runs = _runs(clock, progress)
-    exact = _compared(clock, ends, runs)
+    count = len(travel.legs)
+    runs = _runs(travel, progress)
+    exact = _compared(travel, ends, runs)
     if exact is not None:
         return exact
-    charges = _charges(clock, runs)
-    starts = [short_tour(clock.legs, ends, progress), *known]
-    if clock.chains:
+    charges = _charges(travel, runs)
+    starts = [short_tour(travel.legs, ends, progress), *known]
+    if travel.chains:
         starts.append(short_tour(charges, ends, progress))
-    order = min((o for o in starts if ends.admits(o)), key=lambda o: duration(clock, o, closed=ends.closed))
-    if clock.chains and count <= MOST_POLISHED:
-        order = _polished(clock, order, ends, progress)
-    total = duration(clock, order, closed=ends.closed)
+    order = min((o for o in starts if ends.admits(o)), key=lambda o: duration(travel, o, closed=ends.closed))
+    if travel.chains and count <= MOST_POLISHED:
+        order = _polished(travel, order, ends, progress)
+    total = duration(travel, order, closed=ends.closed)
     bound = max(held_karp(charges, ends, total, progress), 0.0)
-    return Searched(order, (Merit(TIME, total + clock.rest, bound + clock.rest, TREES),))
+    return Searched(order, (Merit(TIME, total + travel.rest, bound + travel.rest, TREES),))
 
 
-def duration(clock: Clock, order: Order, *, closed: bool) -> float:
+def duration(travel: TravelTimes, order: Order, *, closed: bool) -> float:
     """Least time [s] of a tour without its dwells, from rest to rest over each of its runs."""
     stops = (*order, order[0]) if closed else order
     return sum(
-        float(clock.legs[run]) if len(run) == 2 else clock.run(run) for run in clock.chains.split(stops)
+        float(travel.legs[run]) if len(run) == 2 else travel.run(run) for run in travel.chains.split(stops)
     )
 
 
-def _runs(clock: Clock, progress: Progress | None) -> dict[Order, float] | None:
+def _runs(travel: TravelTimes, progress: Progress | None) -> dict[Order, float] | None:
     """Times of all runs of more than one leg; None if there are too many."""
-    found = list(islice(clock.chains.runs(), clock.most_runs + 1))
-    if len(found) > clock.most_runs:
+    found = list(islice(travel.chains.runs(), travel.most_runs + 1))
+    if len(found) > travel.most_runs:
         return None
     times = {}
     for at, run in enumerate(found):
-        times[run] = clock.run(run)
+        times[run] = travel.run(run)
         if progress is not None:
             progress("times of runs", at, len(found))
     return times
 
 
-def _compared(clock: Clock, ends: Ends, runs: dict[Order, float] | None) -> Searched | None:
+def _compared(travel: TravelTimes, ends: Ends, runs: dict[Order, float] | None) -> Searched | None:
     """All tours compared, runs as moves; None where there are too many."""
-    count = len(clock.legs)
+    count = len(travel.legs)
     if runs is None or count > MOST_NODES or len(runs) + count * count > MOST_MOVES:
         return None
-    moves = [Move(i, j, (j,), float(clock.legs[i, j])) for i in range(count) for j in range(count) if i != j]
+    moves = [Move(i, j, (j,), float(travel.legs[i, j])) for i in range(count) for j in range(count) if i != j]
     moves += [Move(run[0], run[-1], run[1:], time) for run, time in runs.items()]
     found = None
     for one in _starts(ends, runs):
@@ -114,8 +81,8 @@ def _compared(clock: Clock, ends: Ends, runs: dict[Order, float] | None) -> Sear
             found = result
     assert found is not None  # every order is a tour
     order = opened(found.nodes, closed=ends.closed)
-    total = duration(clock, order, closed=ends.closed)
-    return Searched(order, (Merit(TIME, total + clock.rest, found.cost + clock.rest, EXACT),))
+    total = duration(travel, order, closed=ends.closed)
+    return Searched(order, (Merit(TIME, total + travel.rest, found.cost + travel.rest, EXACT),))
 
 
 def _starts(ends: Ends, runs: dict[Order, float]) -> list[Ends]:
@@ -125,16 +92,16 @@ def _starts(ends: Ends, runs: dict[Order, float]) -> list[Ends]:
     return [Ends(True, start) for start in sorted({0, *(run[0] for run in runs if 0 in run[1:-1])})]
 
 
-def _charges(clock: Clock, runs: dict[Order, float] | None) -> Array:
+def _charges(travel: TravelTimes, runs: dict[Order, float] | None) -> Array:
     """Of each leg the least it can cost as a part of any run: the run's time in equal shares.
 
     The shares of all legs of a tour add up to its time or less, so a bound on their sum is one on
     the time. With too many runs to time, any leg that goes on somewhere may be cruised through.
     """
-    charges = clock.legs.copy()
+    charges = travel.legs.copy()
     if runs is None:
-        for a, b in clock.chains.legs():
-            charges[a, b] = charges[b, a] = min(clock.cruise[a, b], charges[a, b])
+        for a, b in travel.chains.legs():
+            charges[a, b] = charges[b, a] = min(travel.cruise[a, b], charges[a, b])
         return charges
     for run, time in runs.items():
         share = time / (len(run) - 1)
@@ -143,14 +110,14 @@ def _charges(clock: Clock, runs: dict[Order, float] | None) -> Array:
     return charges
 
 
-def _polished(clock: Clock, order: Order, ends: Ends, progress: Progress | None) -> Order:
+def _polished(travel: TravelTimes, order: Order, ends: Ends, progress: Progress | None) -> Order:
     """Improved by turning round and moving stretches, runs counted, until nothing helps."""
-    best, tried, improved = duration(clock, order, closed=ends.closed), 0, True
+    best, tried, improved = duration(travel, order, closed=ends.closed), 0, True
     while improved and tried < POLISHING:
         improved = False
         for candidate in _variants(order):
             tried += 1
-            time = duration(clock, candidate, closed=ends.closed) if ends.admits(candidate) else best
+            time = duration(travel, candidate, closed=ends.closed) if ends.admits(candidate) else best
             if time < best * (1 - ROUNDING):
                 order, best, improved = candidate, time, True
                 break

@@ -8,15 +8,17 @@ import numpy as np
 from timelaw.errors import Fault, InputError, list_some
 from timelaw.numerics.quaternion import angle_between
 from timelaw.orientations import OrientationSet
-from timelaw.problem.route import SEARCHED, RouteModel
+from timelaw.problem import Problem
+from timelaw.problem.route import SEARCHED
 from timelaw.progress import Progress
 from timelaw.tours.ends import Ends, ends
-from timelaw.tours.fastest import Clock, fastest
+from timelaw.tours.fastest import fastest
 from timelaw.tours.lines import Lines
 from timelaw.tours.merit import Merit, Searched
 from timelaw.tours.nearest import NEIGHBOUR_TOLERANCE, distances, minimal_distance
 from timelaw.tours.shortest import MINIMAL, lower_bound, shortest
 from timelaw.tours.straight import STRAIGHT, TURNING, straightest
+from timelaw.tours.travel_rules import make_travel_times
 
 Order = tuple[int, ...]
 PAPER_TOUR = (1, 12, 11, 3, 8, 10, 2, 7, 9, 6, 5, 4)
@@ -56,26 +58,22 @@ class Tour:
 
 @dataclass(frozen=True)
 class Wanted:
-    """What a search is given: the set, the ends of the tour, and a clock for those that need one."""
+    """What a search is given: the problem, the set, the ends of the tour."""
 
+    problem: Problem
     points: OrientationSet
     ends: Ends
-    clock: Callable[[], Clock] | None = None
     progress: Progress | None = None
 
 
-def tour(
-    spec: RouteModel,
-    points: OrientationSet,
-    clock: Callable[[], Clock] | None = None,
-    progress: Progress | None = None,
-) -> Tour:
-    """The order of visits that the problem asks for; `clock` times motions, for the fastest.
+def tour(problem: Problem, points: OrientationSet, progress: Progress | None = None) -> Tour:
+    """The order of visits that the problem asks for.
 
     Raises:
         InputError: an unknown label, a repeated or missing one, or a tour the set does not have.
     """
-    wanted = Wanted(points, ends(spec, points), clock, progress)
+    spec = problem.route
+    wanted = Wanted(problem, points, ends(spec, points), progress)
     if isinstance(spec.tour, tuple):
         searched = Searched(_by_labels(spec.tour, points))
     else:
@@ -153,10 +151,9 @@ def _straightest(wanted: Wanted, goal: str) -> Searched:
 
 def _fastest(wanted: Wanted) -> Searched:
     """Of least total time under the limits; the straightest tours known are where a search begins."""
-    if wanted.clock is None:
-        raise _fault("the fastest tour needs limits")
-    clock = wanted.clock()
-    return fastest(clock, wanted.ends, _straightest_known(wanted) if clock.chains else (), wanted.progress)
+    travel = make_travel_times(wanted.problem, wanted.points, wanted.progress)
+    known = _straightest_known(wanted) if travel.chains else ()
+    return fastest(travel, wanted.ends, known, wanted.progress)
 
 
 def _straightest_known(wanted: Wanted) -> Iterator[Order]:

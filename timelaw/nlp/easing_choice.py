@@ -12,7 +12,7 @@ AUTO_DEGREES = (5, 7, 9, 11, 13, 17, 21)
 AUTO_INTERVALS = (28, 50, 100, 200)
 
 
-def families(problem: Problem) -> Iterator[Family]:
+def choose_families(problem: Problem) -> Iterator[Family]:
     """The family that the file names, or for `auto` the candidates from the simplest on.
 
     What the file leaves open is the least that suits the continuity.
@@ -30,7 +30,7 @@ def families(problem: Problem) -> Iterator[Family]:
         yield from (SplineFamily(spline_degree, intervals, r) for intervals in AUTO_INTERVALS)
 
 
-def within(problem: Problem) -> float:
+def allowed_excess(problem: Problem) -> float:
     """How near to the physical limit is near enough: for a family that is named, any distance."""
     if problem.easing.basis != "auto":
         return float("inf")

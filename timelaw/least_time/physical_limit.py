@@ -3,12 +3,12 @@
 from collections.abc import Sequence
 from math import inf
 
-from timelaw.easing import double_s, phase_plane
-from timelaw.easing.double_s_easing import rate_bounds
-from timelaw.limits.demand import Demand
+from timelaw.least_time import double_s, phase_plane
+from timelaw.least_time.constant_bounds import rate_bounds
+from timelaw.limits import Demand
 
 
-def physical_limit(demands: Sequence[Demand], *, moving: bool = False) -> float:
+def run_limit(demands: Sequence[Demand], *, moving: bool = False) -> float:
     """A time [s] that no motion over the run's angle beats, whatever its form.
 
     The double-S profile in closed form under the plain rates, and the phase plane under torque;
@@ -23,9 +23,9 @@ def physical_limit(demands: Sequence[Demand], *, moving: bool = False) -> float:
         return sum(demand.duration or 0.0 for demand in demands)
     angle = sum(demand.angle for demand in demands)
     loosest = [max(bounds) for bounds in zip(*(rate_bounds(d.rows) for d in demands), strict=True)]
-    least = double_s.least_time(angle, loosest[0], loosest[1], loosest[2]) if min(loosest) < inf else 0.0
+    least = double_s.double_s_time(angle, loosest[0], loosest[1], loosest[2]) if min(loosest) < inf else 0.0
     least = max(least, at_speed)
     alike = len({demand.rows_key() for demand in demands}) == 1
     if alike and phase_plane.has_coupling(demands[0].rows):
-        return max(least, phase_plane.least_time(angle, demands[0].rows))
+        return max(least, phase_plane.phase_plane_time(angle, demands[0].rows))
     return least

@@ -30,7 +30,7 @@ def has_coupling(rows: Sequence[Row]) -> bool:
     return any(row.couples for row in rows)
 
 
-def least_time(angle: float, rows: Sequence[Row]) -> float:
+def phase_plane_time(angle: float, rows: Sequence[Row]) -> float:
     """Least time [s] from rest to rest under velocity, acceleration and torque, by quadrature."""
     from scipy.integrate import quad
     from scipy.optimize import brentq

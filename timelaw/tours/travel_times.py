@@ -1,4 +1,4 @@
-"""How long legs and runs take at least under a problem's limits, before there is a route to choose."""
+"""How long legs and runs take at least under limits, before there is a route to choose."""
 
 from collections.abc import Collection, Mapping, Sequence
 from functools import cache, cached_property
@@ -7,11 +7,10 @@ from math import inf
 
 import numpy as np
 
-from timelaw.easing import double_s
-from timelaw.easing.physical_limit import physical_limit
 from timelaw.errors import Fault, InputError
-from timelaw.limits import Limit, Row, drop_implied, list_rows
-from timelaw.limits.demand import Demand
+from timelaw.least_time import double_s
+from timelaw.least_time.physical_limit import run_limit
+from timelaw.limits import Demand, Limit, Row, drop_implied, list_rows
 from timelaw.numerics.array import Array
 from timelaw.numerics.quaternion import angle_between
 from timelaw.numerics.turn import find_turn
@@ -24,7 +23,7 @@ MOST_RUNS_WITH_TORQUE = 4000  # most of which are alike
 MOST_WITH_TORQUE = 60  # nodes; each leg is a quadrature of some 15 ms
 
 
-class Clock:
+class TravelTimes:
     """Least times [s] from rest to rest between orientations (N, 4), in closed form.
 
     The double-S profile under velocity, acceleration, jerk and momentum, the phase plane under
@@ -104,7 +103,7 @@ class Clock:
                 if order <= len(bounds):
                     bound = bounds[order - 1][these, those]
                     np.minimum(bound, found, out=bound)
-        times = double_s.least_times(angles, *bounds)
+        times = double_s.double_s_times(angles, *bounds)
         return np.where(np.isfinite(times), times, 0.0), angles, bounds
 
     def _run(self, stops: tuple[int, ...]) -> float:
@@ -120,7 +119,7 @@ class Clock:
             ]
         key = tuple(demand.key() for demand in demands)
         if key not in self._known:
-            self._known[key] = physical_limit(demands)
+            self._known[key] = run_limit(demands)
         return self._known[key]
 
     def _rows_between(self, i: int, j: int, axis: Array) -> tuple[Row, ...]:

@@ -3,9 +3,8 @@
 from collections.abc import Sequence
 from functools import partial
 
-from timelaw.easing.easing import Timing
-from timelaw.limits import Row
-from timelaw.limits.demand import Demand
+from timelaw.easing.timing import Timing
+from timelaw.limits import Demand, Row
 from timelaw.limits.polynomials import row_polynomials
 from timelaw.numerics.extrema import peaks
 
@@ -13,7 +12,7 @@ CLEARANCE = 1e-12  # relative: covers the rounding of the stretched durations th
 REPETITIONS = 8
 
 
-def utilisation(demands: Sequence[Demand], timings: Sequence[Timing]) -> list[tuple[Row, float]]:
+def list_used(demands: Sequence[Demand], timings: Sequence[Timing]) -> list[tuple[Row, float]]:
     """Every row of every leg with its proved peak over its bound."""
     found = [
         (row, polynomial)
@@ -27,9 +26,9 @@ def utilisation(demands: Sequence[Demand], timings: Sequence[Timing]) -> list[tu
     ]
 
 
-def fraction(demands: Sequence[Demand], timings: Sequence[Timing]) -> float:
+def used_fraction(demands: Sequence[Demand], timings: Sequence[Timing]) -> float:
     """The largest part of any limit that is used, proved: above 1, a limit is broken."""
-    return max(float(ratio ** (1 / row.root)) for row, ratio in utilisation(demands, timings))
+    return max(float(ratio ** (1 / row.root)) for row, ratio in list_used(demands, timings))
 
 
 def fit_to_limits(demands: Sequence[Demand], timings: Sequence[Timing]) -> tuple[Timing, ...]:
@@ -41,9 +40,9 @@ def fit_to_limits(demands: Sequence[Demand], timings: Sequence[Timing]) -> tuple
     """
     fitted, clearance = tuple(timings), CLEARANCE
     for _ in range(REPETITIONS):
-        factor = max(ratio ** (1 / row.power) for row, ratio in utilisation(demands, fitted))
+        factor = max(ratio ** (1 / row.power) for row, ratio in list_used(demands, fitted))
         fitted = tuple(timing.stretched(factor * (1 + clearance)) for timing in fitted)
-        if fraction(demands, fitted) <= 1:
+        if used_fraction(demands, fitted) <= 1:
             break
         clearance *= 10
     return fitted

@@ -53,13 +53,13 @@ def ramp_times(angle: float, w: float, a: float, j: float) -> tuple[float, float
     return t_j, t_j / 2 + sqrt(t_j * t_j / 4 + angle / a), 0.0
 
 
-def least_time(angle: float, w: float, a: float, j: float) -> float:
+def double_s_time(angle: float, w: float, a: float, j: float) -> float:
     """T [s] of the profile over `angle` [rad]; inf stands for a limit that is not there."""
     _, t_a, t_v = ramp_times(angle, w, a, j)
     return 2 * t_a + t_v
 
 
-def least_times(angle: Array, w: Array, a: Array, j: Array) -> Array:
+def double_s_times(angle: Array, w: Array, a: Array, j: Array) -> Array:
     """T [s] for many angles and limits at once, arrays of one shape, without a loop; see `ramp_times`."""
     with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
         # to a speed limit, and cruising; without a jerk limit t_a = w/a
@@ -74,7 +74,7 @@ def least_times(angle: Array, w: Array, a: Array, j: Array) -> Array:
     return np.where(cruising < inf, cruising, turning)
 
 
-def profile(angle: float, w: float, a: float, j: float) -> list[Phase]:
+def list_phases(angle: float, w: float, a: float, j: float) -> list[Phase]:
     """The phases of the profile, those of no duration left out."""
     t_j, t_a, t_v = ramp_times(angle, w, a, j)
     top = angle / (t_a + t_v)  # the area under the velocity
