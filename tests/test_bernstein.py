@@ -81,7 +81,7 @@ def test_basis_and_hermite_matrices(degree):
 def test_the_integral_of_the_square_is_exact(control):
     terms = list(enumerate(to_power(control)))
     integral = float(sum(a * b / (i + j + 1) for i, a in terms for j, b in terms))
-    assert bern.integral_of_square(control) == pytest.approx(integral, rel=1e-12, abs=1e-300)
+    assert bern.integrate_square(control) == pytest.approx(integral, rel=1e-12, abs=1e-300)
 
 
 @given(st.lists(st.floats(-10, 10).map(lambda x: round(x, 3)), min_size=1, max_size=10).map(np.array))

@@ -11,11 +11,11 @@ import pytest
 from tests.cases import PROBLEMS, problem
 from tests.oracles import extremum
 from timelaw.certificate import certify
-from timelaw.certificate.certificate import compare_with_record
+from timelaw.certificate.record import compare_with_record
+from timelaw.compose import compose_law
 from timelaw.easing import Easing
 from timelaw.export import law_json
-from timelaw.motion.document import from_document
-from timelaw.motion.quaternion_law import compose
+from timelaw.law_file.document import from_document
 from timelaw.orientations import orientations
 from timelaw.pipeline import design
 from timelaw.route import route
@@ -304,4 +304,4 @@ def _double_s(limits):
     points = orientations(spec.route.orientations, Path())
     way = route(points, tour(spec, points))
     plan = schedule(spec, way)
-    return compose("t", way, double_s(way, plan), plan)
+    return compose_law("t", way, double_s(way, plan), plan)

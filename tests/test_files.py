@@ -11,8 +11,8 @@ from tests.cases import reference
 from timelaw.errors import InputError
 from timelaw.export import law_json, samples_csv
 from timelaw.files import write_text
-from timelaw.motion.document import from_document, to_document
-from timelaw.motion.law_file import read_law
+from timelaw.law_file import read_law
+from timelaw.law_file.document import from_document, to_document
 from timelaw.orientations.table import read_table
 
 

@@ -11,9 +11,9 @@ from tests.cases import PROBLEMS, reference
 from tests.oracles import QUINTIC_PEAKS, LinearProgram, smoothstep_duration
 from timelaw import design
 from timelaw.certificate import certify
-from timelaw.certificate.certificate import compare_with_record
+from timelaw.certificate.record import compare_with_record
+from timelaw.law_file import read_law
 from timelaw.least_time.double_s import double_s_time
-from timelaw.motion.law_file import read_law
 from timelaw.orientations.lattices import lattice
 from timelaw.report import law_rows, tour_table
 from timelaw.report.reference import replaced, table

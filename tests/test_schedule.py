@@ -8,10 +8,10 @@ import pytest
 from tests.cases import PROBLEMS
 from timelaw import design
 from timelaw.certificate import certify
-from timelaw.certificate.certificate import compare_with_record
+from timelaw.certificate.record import compare_with_record
 from timelaw.errors import InfeasibleError, InputError
 from timelaw.export import law_json
-from timelaw.motion.document import from_document
+from timelaw.law_file.document import from_document
 
 BASE = (PROBLEMS / "paper-24-cell.yaml").read_text()
 

@@ -4,9 +4,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from timelaw.certificate import Certificate, certify
+from timelaw.compose import compose_law
 from timelaw.easing.family import Family
 from timelaw.motion import QuaternionLaw
-from timelaw.motion.quaternion_law import compose
 from timelaw.nlp import Optimised, optimise
 from timelaw.nlp.easing_choice import allowed_excess, choose_families
 from timelaw.orientations import OrientationSet, orientations
@@ -109,5 +109,5 @@ def _lay_out(
 def _certified(
     problem: Problem, way: Route, time_law: TimeLaw, plan: Schedule, continuity: int = 0
 ) -> Certified:
-    law = compose(problem.name, way, time_law, plan, continuity)
+    law = compose_law(problem.name, way, time_law, plan, continuity)
     return Certified(time_law.name, law, certify(law))

@@ -2,19 +2,18 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
 
 from timelaw.motion import QuaternionLaw, Segment
-from timelaw.motion.arc import Arc
-from timelaw.motion.schema import RATES
+from timelaw.motion.segment import RATES
 from timelaw.numerics.array import Array
-from timelaw.numerics.extrema import peaks
+from timelaw.numerics.extrema import enclose_peaks
 from timelaw.numerics.turn import SAME_AXIS, angle_between_axes
 
 JUMP_TOLERANCE = 1e-5  # of the rate's largest value in the segments that meet; short pieces resolve no better
+SMOOTH = dict.fromkeys(RATES, 0.0)  # no jump at all
 
 
 @dataclass(frozen=True)
@@ -66,7 +65,7 @@ class Continuity:
         return min(self.inside, *(node.continuity for node in self.nodes))
 
 
-def continuity(law: QuaternionLaw) -> Continuity:
+def check_continuity(law: QuaternionLaw) -> Continuity:
     """Compare the two sides of every node and of every break."""
     scales = _scales(law)
     around = [scales[max(i - 1, 0) : i + 1] for i in range(len(scales) + 1)]
@@ -77,7 +76,7 @@ def continuity(law: QuaternionLaw) -> Continuity:
     inside = min(
         _class(jumps, scale)
         for segment, scale in zip(law.segments, scales, strict=True)
-        for jumps in _break_jumps(segment)
+        for jumps in (SMOOTH, *segment.jumps())
     )
     largest = [max(scale[k] for scale in scales) for k in RATES]
     return Continuity(tuple(nodes), inside, (largest[0], largest[1], largest[2]))
@@ -108,27 +107,19 @@ def _kind(last: Segment | None, following: Segment | None) -> tuple[str, float]:
     """What a node is, and by how much the axis turns there."""
     if last is None or following is None:
         return ("start" if last is None else "end"), 0.0
-    if not (isinstance(last, Arc) and isinstance(following, Arc)):
+    axes = last.axis_at(-1), following.axis_at(0)
+    if axes[0] is None or axes[1] is None:
         return "dwell", 0.0
-    turn = angle_between_axes(last.axis, following.axis)
+    turn = angle_between_axes(axes[0], axes[1])
     return ("straight" if turn <= SAME_AXIS else "corner"), turn
-
-
-def _break_jumps(segment: Segment) -> list[dict[int, float]]:
-    """Jumps of the travelled angle's rates at the breaks inside a segment; none counts as smooth."""
-    rates = {k: segment.rates(k) for k in RATES}
-    jumps = [dict.fromkeys(RATES, 0.0)]
-    for left, right in pairwise(range(len(segment.breaks) - 1)):
-        jumps.append({k: abs(float(r[right].control[0] - r[left].control[-1])) for k, r in rates.items()})
-    return jumps
 
 
 def _scales(law: QuaternionLaw) -> list[dict[int, float]]:
     """The largest value of each rate in each segment."""
-    places = [(i, k) for i, s in enumerate(law.segments) for k in RATES for _ in s.rates(k)]
-    rates = [rate.control for s in law.segments for k in RATES for rate in s.rates(k)]
+    places = [(i, k, rate) for i, s in enumerate(law.segments) for k in RATES for rate in s.rates(k)]
     scales = [dict.fromkeys(RATES, 0.0) for _ in law.segments]
-    for (index, order), peak in zip(places, peaks(rates), strict=True):
+    tops = enclose_peaks([rate for _, _, rate in places])
+    for (index, order, _), peak in zip(places, tops, strict=True):
         scales[index][order] = max(scales[index][order], peak.lower)
     return scales
 

@@ -6,13 +6,10 @@ from itertools import pairwise
 import numpy as np
 
 from timelaw.motion import QuaternionLaw, Segment
-from timelaw.motion.arc import Arc
-from timelaw.numerics.quaternion import from_axis_angle, multiply
+from timelaw.motion.segment import NODE_TOLERANCE
 
 UNIT_TOLERANCE = 1e-9  # |norm - 1|
-NODE_TOLERANCE = 1e-9  # rad; a few hundred rounding errors of a product of quaternions
 TIME_TOLERANCE = 1e-12  # of the total time; start times are sums of durations
-EASING_TOLERANCE = 1e-12  # of the leg; intervals of an easing share their end points
 
 
 @dataclass(frozen=True)
@@ -31,15 +28,17 @@ class GeometryCheck:
 
 
 def check_geometry(law: QuaternionLaw) -> tuple[GeometryCheck, ...]:
-    """Unit vectors, arcs that end where they say, segments that join, times that add up, easings 0 to 1."""
+    """Unit vectors, segments that end where they say and join, times that add up, what each kind asks for."""
     segments, total = law.segments, law.duration
+    own: dict[str, list[tuple[str, float]]] = {}
+    tolerances: dict[str, float] = {}
+    for s in segments:
+        for found in s.own_checks():
+            own.setdefault(found.check, []).append((s.name, found.error))
+            tolerances[found.check] = found.tolerance
     return (
         _worst("unit quaternions and axes", UNIT_TOLERANCE, [(s.name, _unit_error(s)) for s in segments]),
-        _worst(
-            "arcs end at their nodes",
-            NODE_TOLERANCE,
-            [(s.name, _arc_error(s)) for s in segments if isinstance(s, Arc)],
-        ),
+        _worst("arcs end at their nodes", NODE_TOLERANCE, [(s.name, s.end_error()) for s in segments]),
         _worst("segments join", NODE_TOLERANCE, _joints(law)),
         _worst(
             "times add up",
@@ -47,29 +46,17 @@ def check_geometry(law: QuaternionLaw) -> tuple[GeometryCheck, ...]:
             [(segments[0].name, abs(segments[0].start_time))]
             + [(b.name, abs(b.start_time - a.end_time)) for a, b in pairwise(segments)],
         ),
-        _worst(
-            "easings run from 0 to 1",
-            EASING_TOLERANCE,
-            [(s.name, _easing_error(s)) for s in segments if isinstance(s, Arc)],
-        ),
+        *(_worst(check, tolerances[check], errors) for check, errors in own.items()),
     )
 
 
 def _worst(check: str, tolerance: float, errors: list[tuple[str, float]]) -> GeometryCheck:
-    if not errors:
-        return GeometryCheck(check, 0.0, tolerance, "")
     where, worst = max(errors, key=lambda e: e[1] if e[1] == e[1] else np.inf)
     return GeometryCheck(check, worst, tolerance, where)
 
 
 def _unit_error(s: Segment) -> float:
-    vectors = (s.start, s.end, s.axis) if isinstance(s, Arc) else (s.orientation,)
-    return max(abs(float(np.linalg.norm(v)) - 1) for v in vectors)
-
-
-def _arc_error(s: Arc) -> float:
-    """Distance on S³ between where the arc leads and the quaternion it says it reaches, sign included."""
-    return float(np.linalg.norm(multiply(s.start, from_axis_angle(s.axis, np.array(s.angle))) - s.end))
+    return max(abs(float(np.linalg.norm(v)) - 1) for v in s.unit_vectors())
 
 
 def _joints(law: QuaternionLaw) -> list[tuple[str, float]]:
@@ -79,10 +66,3 @@ def _joints(law: QuaternionLaw) -> list[tuple[str, float]]:
         same = a.target == b.origin
         joints.append((b.name, float(np.linalg.norm(a.end - b.start)) if same else float("inf")))
     return joints
-
-
-def _easing_error(s: Arc) -> float:
-    """How far f is from 0 at the start, from 1 at the end, and from itself at the breaks."""
-    pieces = s.easing.pieces
-    gaps = [abs(float(b[0] - a[-1])) for a, b in pairwise(pieces)]
-    return max([abs(float(pieces[0][0])), abs(float(pieces[-1][-1]) - 1), *gaps])

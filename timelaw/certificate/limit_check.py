@@ -5,11 +5,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from timelaw.limits import Row
-from timelaw.limits.polynomials import row_polynomials
 from timelaw.motion import QuaternionLaw, Segment
-from timelaw.numerics.extrema import peaks
-from timelaw.numerics.polynomial import Polynomial
+from timelaw.motion.segment import Quantity
+from timelaw.numerics.extrema import enclose_peaks
+
+ROUNDING = 1 + 2e-15  # of the last few operations, the root among them
 
 
 @dataclass(frozen=True)
@@ -46,47 +46,32 @@ class LimitCheck:
         return 1 - self.ratio
 
 
-@dataclass(frozen=True)
-class _Place:
-    row: Row
-    segment: Segment
-    piece: int
-    polynomial: Polynomial
-
-
 def check_limits(law: QuaternionLaw) -> tuple[LimitCheck, ...]:
     """Every limit that the law carries, axis by axis where it is given so, general ones first."""
-    groups: dict[str, list[_Place]] = defaultdict(list)
+    groups: dict[str, list[tuple[Segment, Quantity]]] = defaultdict(list)
     for segment in law.segments:
-        for row, own in law.rows(segment):
-            label = f"{row.label} on {own}" if own else row.label
-            groups[label] += [
-                _Place(row, segment, piece, polynomial)
-                for row, piece, polynomial in row_polynomials([row], segment.rates)
-            ]
+        for quantity, own in law.quantities(segment):
+            label = f"{quantity.row.label} on {own}" if own else quantity.row.label
+            groups[label].append((segment, quantity))
     names = sorted(groups, key=lambda label: " on " in label)
     return tuple(_check(name, groups[name]) for name in names)
 
 
-def _check(label: str, places: list[_Place]) -> LimitCheck:
+def _check(label: str, places: list[tuple[Segment, Quantity]]) -> LimitCheck:
     """Enclose the largest value of one limit's rows; squares are given back as what they are squares of."""
-    tops = peaks([place.polynomial.control for place in places])
-    root = 1 / places[0].row.root
-    uppers = [(top.upper + p.polynomial.error) ** root for top, p in zip(tops, places, strict=True)]
+    tops = enclose_peaks([quantity.value for _, quantity in places])
     highest = max(range(len(tops)), key=lambda i: tops[i].lower)
-    place, top = places[highest], tops[highest]
-    start, end = place.segment.breaks[place.piece : place.piece + 2]
-    tau = float(start + top.at * (end - start))
+    (segment, quantity), top = places[highest], tops[highest]
+    row, root = quantity.row, 1 / quantity.row.root
+    tau = float(quantity.start + top.at * (quantity.end - quantity.start))
     return LimitCheck(
         label,
-        place.row.bound**root,
+        row.bound**root,
         top.lower**root,
-        float(np.max(uppers)) * ROUNDING,  # NumPy's maximum of what is not a number is not a number
-        place.segment.start_time + place.segment.duration * tau,
-        place.segment.name,
-        place.row.unit,
-        max(place.row.orders),
+        # NumPy's maximum of what is not a number is not a number
+        float(np.max([top.upper**root for top in tops])) * ROUNDING,
+        segment.start_time + segment.duration * tau,
+        segment.name,
+        row.unit,
+        max(row.orders),
     )
-
-
-ROUNDING = 1 + 2e-15  # of the last few operations, the root among them

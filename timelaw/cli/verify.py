@@ -3,10 +3,10 @@
 from pathlib import Path
 
 from timelaw.certificate import certify
-from timelaw.certificate.certificate import compare_with_record
+from timelaw.certificate.record import compare_with_record
 from timelaw.cli.console import print_json, print_limits, say
 from timelaw.errors import EXIT_DONE, EXIT_FINDINGS
-from timelaw.motion.law_file import read_law
+from timelaw.law_file import read_law
 
 
 def run(path: str, *, as_json: bool) -> int:

@@ -27,6 +27,10 @@ class Easing:
         for array in (self.breaks, *self.pieces):
             array.setflags(write=False)
 
+    def key(self) -> tuple[bytes, ...]:
+        """Equal for easings that are equal in every break and piece."""
+        return tuple(array.tobytes() for array in (self.breaks, *self.pieces))
+
     @classmethod
     def single(cls, control: ArrayLike) -> "Easing":
         """One polynomial over the whole leg."""

@@ -6,7 +6,7 @@ from functools import partial
 from timelaw.easing.timing import Timing
 from timelaw.limits import Demand, Row
 from timelaw.limits.polynomials import row_polynomials
-from timelaw.numerics.extrema import peaks
+from timelaw.numerics.extrema import enclose_peaks
 
 CLEARANCE = 1e-12  # relative: covers the rounding of the stretched durations themselves
 REPETITIONS = 8
@@ -19,11 +19,8 @@ def list_used(demands: Sequence[Demand], timings: Sequence[Timing]) -> list[tupl
         for demand, timing in zip(demands, timings, strict=True)
         for row, _, polynomial in row_polynomials(demand.rows, partial(timing.rates, demand.angle))
     ]
-    tops = peaks([polynomial.control for _, polynomial in found])
-    return [
-        (row, (top.upper + polynomial.error) / row.bound)
-        for (row, polynomial), top in zip(found, tops, strict=True)
-    ]
+    tops = enclose_peaks([polynomial for _, polynomial in found])
+    return [(row, top.upper / row.bound) for (row, _), top in zip(found, tops, strict=True)]
 
 
 def used_fraction(demands: Sequence[Demand], timings: Sequence[Timing]) -> float:

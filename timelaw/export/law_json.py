@@ -7,8 +7,8 @@ from typing import Any
 
 from timelaw import __version__
 from timelaw.certificate import Certificate
+from timelaw.law_file.document import to_document
 from timelaw.motion import QuaternionLaw
-from timelaw.motion.document import to_document
 
 SOLVER_PACKAGES = ("casadi", "numpy")
 

@@ -7,7 +7,7 @@ from timelaw.numerics.polynomial import Polynomial
 
 
 def row_polynomials(
-    rows: Sequence[Row], rates: Callable[[int], list[Polynomial]]
+    rows: Sequence[Row], rates: Callable[[int], Sequence[Polynomial]]
 ) -> Iterator[tuple[Row, int, Polynomial]]:
     """Each row on each interval of a leg, as a polynomial in time; `rates(k)` lists the k-th rate's."""
     known = {order: rates(order) for order in {order for row in rows for order in row.orders}}

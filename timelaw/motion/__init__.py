@@ -1,7 +1,6 @@
-"""The quaternion law: route and time law composed into the motion, evaluable at any instant."""
+"""The quaternion law: the motion in segments, evaluable at any instant."""
 
-from timelaw.motion.arc import Arc
-from timelaw.motion.dwell import Dwell
-from timelaw.motion.quaternion_law import QuaternionLaw, Segment, compose
+from timelaw.motion.quaternion_law import QuaternionLaw
+from timelaw.motion.segment import Segment
 
-__all__ = ["Arc", "Dwell", "QuaternionLaw", "Segment", "compose"]
+__all__ = ["QuaternionLaw", "Segment"]

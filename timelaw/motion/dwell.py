@@ -1,13 +1,28 @@
 """Segments of kind `dwell`: the body rests at a node."""
 
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import ClassVar
+from types import MappingProxyType
+from typing import Any, ClassVar, Literal
 
 import numpy as np
 
 from timelaw.easing.easing import Side
+from timelaw.limits import Bounds, Limit
+from timelaw.motion.schema import Duration, Number, Part, Vector4
+from timelaw.motion.segment import Discrepancy, Quantity
 from timelaw.numerics.array import Array
 from timelaw.numerics.polynomial import Polynomial
+
+
+class DwellDocument(Part):
+    """What a law file says of a dwell."""
+
+    kind: Literal["dwell"]
+    at: str
+    start_time: Number
+    duration: Duration
+    orientation: Vector4
 
 
 @dataclass(frozen=True)
@@ -15,7 +30,10 @@ class Dwell:
     """q(t) = `orientation` (4,) for `duration` [s] from `start_time`, at the node labelled `at`."""
 
     kind: ClassVar[str] = "dwell"
+    moves: ClassVar[bool] = False
+    document_model: ClassVar[type[Part]] = DwellDocument
     breaks: ClassVar[Array] = np.array([0.0, 1.0])
+    limits: ClassVar[Mapping[str, Bounds]] = MappingProxyType({})
 
     at: str
     start_time: float
@@ -51,6 +69,10 @@ class Dwell:
         size = np.shape(tau)
         return np.broadcast_to(self.orientation, (*size, 4)).copy() if order == 0 else np.zeros((*size, 3))
 
+    def axis_at(self, end: int) -> None:  # noqa: ARG002
+        """Nothing turns."""
+        return
+
     def rates(self, order: int) -> list[Polynomial]:  # noqa: ARG002
         """Nothing moves."""
         return [Polynomial(np.zeros(1))]
@@ -58,3 +80,38 @@ class Dwell:
     def side(self, order: int, end: int) -> Array:  # noqa: ARG002
         """The k-th rate (3,) at the first (0) or last (-1) instant: zero."""
         return np.zeros(3)
+
+    def jumps(self) -> Iterator[dict[int, float]]:
+        """There is no break inside."""
+        yield from ()
+
+    def quantities(self, limits: Sequence[Limit]) -> Iterator[Quantity]:  # noqa: ARG002
+        """Nothing at rest is limited."""
+        yield from ()
+
+    def unit_vectors(self) -> tuple[Array, ...]:
+        """The orientation."""
+        return (self.orientation,)
+
+    def end_error(self) -> float:
+        """It stays where it is."""
+        return 0.0
+
+    def own_checks(self) -> Iterator[Discrepancy]:
+        """None."""
+        yield from ()
+
+    def document(self) -> dict[str, Any]:
+        """As the law file has it."""
+        return {
+            "kind": self.kind,
+            "at": self.at,
+            "start_time": self.start_time,
+            "duration": self.duration,
+            "orientation": self.orientation.tolist(),
+        }
+
+    @classmethod
+    def read(cls, s: DwellDocument) -> "Dwell":
+        """From the law file; numbers are taken bit for bit."""
+        return cls(s.at, s.start_time, s.duration, np.array(s.orientation, dtype=float))

@@ -1,24 +1,16 @@
 """The motion of the body as a function of time: orientation, matrices, and rates in body axes."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from timelaw.easing.easing import Side, locate
-from timelaw.limits import Bounds, Row, list_rows, make_limits
-from timelaw.motion.arc import Arc
-from timelaw.motion.dwell import Dwell
+from timelaw.limits import Bounds, make_limits
+from timelaw.motion.segment import MAX_ORDER, Quantity, Segment
 from timelaw.numerics.array import Array
-from timelaw.numerics.bernstein import integral_of_square
 from timelaw.numerics.quaternion import rotation_matrix
-from timelaw.route import Route
-from timelaw.schedule import Schedule
-from timelaw.time_law import TimeLaw
-
-Segment = Arc | Dwell
-MAX_ORDER = 4  # q, ω, α, jerk and snap are what a law is evaluated for
 
 
 @dataclass(frozen=True)
@@ -81,41 +73,13 @@ class QuaternionLaw:
         """Q(t) = R(t)ᵀ (..., 3, 3): its rows are the body axes in world coordinates [MMB2017]."""
         return np.swapaxes(self.rotation(t), -1, -2)
 
-    def effort(self, order: int) -> float:
-        """∫ |k-th rate|² dt over the motion, exact: k = 3 is the smoothness ∫|jerk|² dt [rad²/s⁵]."""
-        return sum(
-            integral_of_square(rate.control) * float(width) * segment.duration
-            for segment in self.segments
-            for rate, width in zip(segment.rates(order), np.diff(segment.breaks), strict=True)
-        )
+    @property
+    def legs(self) -> tuple[Segment, ...]:
+        """The segments that move the body, in order."""
+        return tuple(segment for segment in self.segments if segment.moves)
 
-    def rows(self, segment: Segment) -> list[tuple[Row, str]]:
-        """What is demanded on a segment; with the segment's name where it is of that segment alone."""
-        if not isinstance(segment, Arc):
-            return []
-        general = list_rows(make_limits(self.limits, self.inertia), segment.axis)
-        own = list_rows(make_limits(segment.limits, self.inertia), segment.axis)
-        return [*((row, "") for row in general), *((row, segment.name) for row in own)]
-
-
-def compose(
-    name: str, route: Route, time_law: TimeLaw, schedule: Schedule, continuity: int = 0
-) -> QuaternionLaw:
-    """Lay a time law along its route; `continuity` is what was asked of it."""
-    segments: list[Segment] = []
-    for kind, index, start, duration in time_law.intervals():
-        if kind == "dwell":
-            visits = [*(leg.start for leg in route.legs), route.legs[-1].end]
-            segments.append(Dwell(route.nodes[index].label, start, duration, visits[index]))
-            continue
-        leg, easing = route.legs[index], time_law.timings[index].easing
-        ends = (leg.origin, leg.target, start, duration, leg.start, leg.end, leg.axis, leg.angle)
-        segments.append(Arc(*ends, easing, schedule.leg_limits.get(index, {})))
-    moving = any(schedule.start) or any(schedule.end)
-    before, after = (
-        {k: rate * leg.axis for k, rate in enumerate([*rates, *[0.0] * MAX_ORDER][:MAX_ORDER], 1)}
-        if moving
-        else {}
-        for rates, leg in ((schedule.start, route.legs[0]), (schedule.end, route.legs[-1]))
-    )
-    return QuaternionLaw(name, tuple(segments), schedule.limits, schedule.inertia, continuity, before, after)
+    def quantities(self, segment: Segment) -> Iterator[tuple[Quantity, str]]:
+        """What is limited on a segment; with the segment's name where the limit is of that segment alone."""
+        for limits, own in ((self.limits, ""), (segment.limits, segment.name)):
+            for quantity in segment.quantities(make_limits(limits, self.inertia)):
+                yield quantity, own

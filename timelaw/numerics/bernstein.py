@@ -97,7 +97,7 @@ def hermite_matrix(degree: int, count: int) -> Array:
     return np.array([[comb(j, i) * falling[i] for i in range(count)] for j in range(count)])
 
 
-def integral_of_square(control: ArrayLike) -> float:
+def integrate_square(control: ArrayLike) -> float:
     """∫₀¹ p(u)² du by Gauss-Legendre with n + 1 nodes, exact for degree 2n up to rounding."""
     c = np.asarray(control, dtype=float)
     nodes, weights = np.polynomial.legendre.leggauss(c.shape[-1])

@@ -1,5 +1,6 @@
 """Polynomials on [0, 1] as values with operators: Bernstein control points and a bound on their rounding."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from math import comb
 
@@ -7,6 +8,7 @@ import numpy as np
 
 from timelaw.numerics.array import Array
 from timelaw.numerics.bernstein import UNIT_ROUNDOFF, elevate
+from timelaw.numerics.extrema import Peak, peaks
 
 SCALAR_ROUNDING = 16 * UNIT_ROUNDOFF  # scalars are powers and quotients, themselves rounded a few times
 
@@ -53,3 +55,9 @@ class Polynomial:
         return Polynomial(control, rounding + carried)
 
     __rmul__ = __mul__
+
+    @classmethod
+    def enclose_all(cls, functions: Sequence["Polynomial"]) -> list[Peak]:
+        """Max |p| of each on [0, 1], its rounding in the upper bound."""
+        tops = peaks([p.control for p in functions])
+        return [Peak(top.lower, top.upper + p.error, top.at) for top, p in zip(tops, functions, strict=True)]

@@ -8,12 +8,9 @@ import numpy as np
 
 from timelaw.easing import Easing
 from timelaw.easing.smoothstep import control_points
-from timelaw.least_time.constant_bounds import rate_bounds
 from timelaw.motion import QuaternionLaw
-from timelaw.motion.arc import Arc
-from timelaw.motion.dwell import Dwell
 from timelaw.pipeline import Design
-from timelaw.report.binding import part_curves
+from timelaw.report.active_limits import trace_parts
 from timelaw.report.curves import rate_curve
 from timelaw.time_law.baselines import PAPER_CONTINUITY
 
@@ -75,7 +72,7 @@ def _rates(design: Design) -> str:
 def _parts(ax: Any, law: QuaternionLaw, limit: str) -> None:
     """The part of a limit that is used over time, axis by axis where it is given so."""
     ax.set_ylabel(f"{limit} / limit")
-    curves = part_curves(law, law.segments[:MAX_LEGS], limit)
+    curves = trace_parts(law, law.segments[:MAX_LEGS], limit)
     for colour, (label, (times, values)) in zip(AXIS_COLOURS, curves.items(), strict=False):
         ax.plot(times, values, color=colour if len(curves) > 1 else OPTIMISED, linewidth=1.3, label=label)
     ax.axhline(1.0, color=LIMIT, linewidth=1, linestyle=(0, (5, 3)))
@@ -98,8 +95,11 @@ def _limit(ax: Any, design: Design, order: int) -> None:
     """The bound on |k-th rate| leg by leg, one line through where it is the same for all."""
     style = {"color": LIMIT, "linewidth": 1, "linestyle": (0, (5, 3))}
     law = design.optimised.law
-    arcs = [s for s in law.segments[:MAX_LEGS] if isinstance(s, Arc)]
-    bounds = [rate_bounds([row for row, _ in law.rows(arc)])[order - 1] for arc in arcs]
+    arcs = [s for s in law.segments[:MAX_LEGS] if s.moves]
+    bounds = [
+        min((quantity.row.rate_bound(order) for quantity, _ in law.quantities(arc)), default=inf)
+        for arc in arcs
+    ]
     if len(set(bounds)) == 1 and bounds[0] < inf:
         ax.axhline(np.degrees(bounds[0]), label="limit", **style)
         return
@@ -113,7 +113,7 @@ def _limit(ax: Any, design: Design, order: int) -> None:
 def _nodes(ax: Any, design: Design) -> None:
     """Lines at the nodes, dotted where the body goes straight on; dwells are shaded."""
     for segment in design.optimised.law.segments[:MAX_LEGS]:
-        if isinstance(segment, Dwell):
+        if not segment.moves:
             ax.axvspan(segment.start_time, segment.end_time, color=DWELL, linewidth=0, zorder=-1)
     for node in design.optimised.certificate.continuity.nodes[: MAX_LEGS + 1]:
         dotted = node.kind == "straight"
@@ -148,13 +148,12 @@ def _easings(design: Design) -> str:
     figure = Figure(figsize=(9.4, 3.1), layout="constrained")
     axes: Any = figure.subplots(1, 3, width_ratios=(1, 1, 1.5))
     tau = np.linspace(0.0, 1.0, 201)
-    segments = [s for s in design.optimised.law.segments if isinstance(s, Arc)]
+    easings = [timing.easing for timing in design.solution.timings]
     for ax, order, title in ((axes[0], 0, "easing f(τ)"), (axes[1], 1, "its slope f′(τ)")):
         if any(b.name == "quintic" for b in design.baselines):
             grey = Easing.single(control_points(PAPER_CONTINUITY))
             ax.plot(tau, grey(tau, order), color=QUINTIC, linewidth=1.1)
-        for key in dict.fromkeys(s.easing.pieces[0].tobytes() for s in segments):
-            easing = next(s.easing for s in segments if s.easing.pieces[0].tobytes() == key)
+        for easing in {easing.key(): easing for easing in easings}.values():
             ax.plot(tau, easing(tau, order), color=OPTIMISED, linewidth=1.2, alpha=0.75)
         ax.set_title(title, fontsize=9)
         ax.set_xlabel("τ")
@@ -168,7 +167,7 @@ def _durations(ax: Any, design: Design) -> None:
     for entry, colour, width in ((design.baselines[:1], QUINTIC, 0.8), ((design.optimised,), OPTIMISED, 0.5)):
         for certified in entry:
             if certified.name in ("quintic", "optimised"):
-                heights = [s.duration for s in certified.law.segments if isinstance(s, Arc)][:count]
+                heights = [leg.duration for leg in certified.law.legs[:count]]
                 ax.bar(place, heights, width=width, color=colour)
     names = [leg.name for leg in design.route.legs[:count]]
     ax.set_xticks(place, names, rotation=90, fontsize=7, parse_math=False)

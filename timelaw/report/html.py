@@ -11,13 +11,12 @@ from markupsafe import Markup
 
 from timelaw import __version__
 from timelaw.certificate import NodeReport
-from timelaw.certificate.certificate import RECORD_TOLERANCE
 from timelaw.certificate.continuity import JUMP_TOLERANCE
-from timelaw.motion.arc import Arc
+from timelaw.certificate.record import RECORD_TOLERANCE
 from timelaw.nlp.exchange import GAP
 from timelaw.pipeline import Design
 from timelaw.problem.goal import Goal
-from timelaw.report.binding import binding
+from timelaw.report.active_limits import list_active
 from timelaw.report.figures import figures
 from timelaw.report.summary import law_rows, run_rows
 from timelaw.time_law import physical_limit
@@ -57,12 +56,8 @@ def _context(design: Design, digest: str, pictures: dict[str, str]) -> dict[str,
         "certificate_lines": certificate(design.tour),
         "route": design.route,
         "rows": rows,
-        "binding": {
-            s.name: binding(design.optimised.law, s)
-            for s in design.optimised.law.segments
-            if isinstance(s, Arc)
-        },
-        "arcs": [s for s in design.optimised.law.segments if isinstance(s, Arc)],
+        "active": {s.name: list_active(design.optimised.law, s) for s in design.optimised.law.legs},
+        "arcs": list(zip(design.route.legs, design.optimised.law.legs, design.solution.timings, strict=True)),
         "best": rows[0],
         "objective": _objective(design.problem.objective),
         "least": physical_limit(design.route, design.schedule),

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from timelaw.certificate.effort import measure_effort
 from timelaw.least_time.physical_limit import run_limit as run_limit
 from timelaw.limits import Demand
 from timelaw.nlp import Solution
@@ -62,7 +63,7 @@ def _row(entry: Certified, slowest: float, least: float) -> LawRow:
         certificate.duration / least,
         {check.limit: check.ratio for check in certificate.limits},
         certificate.continuity.order,
-        entry.law.effort(3),
+        measure_effort(entry.law, certificate.continuity, 3),
         certificate.holds,
     )
 

@@ -1,18 +1,18 @@
 """The law file, version 1, as plain data: quaternion law ⇄ the object that `law.json` holds."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 from pydantic import ValidationError
 
-from timelaw.easing import Easing
 from timelaw.errors import Fault, InputError
-from timelaw.limits import LIMITS, Bounds
-from timelaw.motion.arc import Arc
-from timelaw.motion.dwell import Dwell
+from timelaw.law_file.schema import LawDocument
+from timelaw.limits import LIMITS
+from timelaw.limits.bounds import read_bounds, write_bounds
+from timelaw.motion.kinds import KINDS
 from timelaw.motion.quaternion_law import QuaternionLaw
-from timelaw.motion.schema import RATES, ArcDocument, DwellDocument, LawDocument
+from timelaw.motion.segment import RATES
 
 FORMAT = "timelaw-law"
 VERSION = 1
@@ -31,7 +31,7 @@ def to_document(law: QuaternionLaw) -> dict[str, Any]:
         "name": law.name,
         "conventions": CONVENTIONS,
         "duration": law.duration,
-        "limits": _bounds(law.limits),
+        "limits": write_bounds(law.limits),
     }
     if law.continuity:
         document["continuity"] = law.continuity
@@ -42,45 +42,8 @@ def to_document(law: QuaternionLaw) -> dict[str, Any]:
         document["outside"] = {
             side: {RATES[k]: rate.tolist() for k, rate in rates.items()} for side, rates in sides.items()
         }
-    document["segments"] = [_WRITERS[segment.kind](segment) for segment in law.segments]
+    document["segments"] = [segment.document() for segment in law.segments]
     return document
-
-
-def _bounds(limits: Mapping[str, Bounds]) -> dict[str, Any]:
-    return {name: list(b) if isinstance(b, tuple) else b for name, b in limits.items()}
-
-
-def _write_arc(arc: Arc) -> dict[str, Any]:
-    own = {"limits": _bounds(arc.limits)} if arc.limits else {}
-    return {
-        "kind": arc.kind,
-        "from": arc.origin,
-        "to": arc.target,
-        "start_time": arc.start_time,
-        "duration": arc.duration,
-        "start": arc.start.tolist(),
-        "end": arc.end.tolist(),
-        "axis": arc.axis.tolist(),
-        "angle": arc.angle,
-        **own,
-        "easing": {
-            "breaks": arc.easing.breaks.tolist(),
-            "bernstein": [piece.tolist() for piece in arc.easing.pieces],
-        },
-    }
-
-
-def _write_dwell(dwell: Dwell) -> dict[str, Any]:
-    return {
-        "kind": dwell.kind,
-        "at": dwell.at,
-        "start_time": dwell.start_time,
-        "duration": dwell.duration,
-        "orientation": dwell.orientation.tolist(),
-    }
-
-
-_WRITERS: dict[str, Callable[[Any], dict[str, Any]]] = {"arc": _write_arc, "dwell": _write_dwell}
 
 
 def from_document(document: Any, path: str = "") -> QuaternionLaw:
@@ -98,16 +61,16 @@ def from_document(document: Any, path: str = "") -> QuaternionLaw:
     inertia = np.array(read.body.inertia, dtype=float) if read.body else None
     if not read.limits:
         raise InputError(Fault("at least one limit is needed, or there is nothing to prove", "limits", path))
-    for limits in (read.limits, *(s.limits for s in read.segments if isinstance(s, ArcDocument))):
+    segments = tuple(KINDS[segment.kind].read(segment) for segment in read.segments)
+    for limits in (read.limits, *(segment.limits for segment in segments)):
         _check_limits(limits, inertia, path)
     outside = (read.outside.before, read.outside.after) if read.outside else (None, None)
     before, after = (
         {k: np.array(getattr(rates, name), dtype=float) for k, name in RATES.items()} if rates else {}
         for rates in outside
     )
-    segments = tuple(_arc(s) if isinstance(s, ArcDocument) else _dwell(s) for s in read.segments)
     return QuaternionLaw(
-        read.name, segments, _read_bounds(read.limits), inertia, read.continuity, before, after
+        read.name, segments, read_bounds(read.limits), inertia, read.continuity, before, after
     )
 
 
@@ -119,25 +82,8 @@ def _check_limits(limits: Mapping[str, Any], inertia: Any, path: str) -> None:
             raise InputError(Fault(f'a limit on the {name} needs "body": {{"inertia": …}}', "limits", path))
 
 
-def _read_bounds(limits: Mapping[str, Any]) -> dict[str, Bounds]:
-    return {name: (b[0], b[1], b[2]) if isinstance(b, list) else float(b) for name, b in limits.items()}
-
-
-def _arc(s: ArcDocument) -> Arc:
-    easing = Easing(np.array(s.easing.breaks), tuple(np.array(c, dtype=float) for c in s.easing.bernstein))
-    start, end, axis = (np.array(v, dtype=float) for v in (s.start, s.end, s.axis))
-    limits = _read_bounds(s.limits)
-    return Arc(s.origin, s.target, s.start_time, s.duration, start, end, axis, s.angle, easing, limits)
-
-
-def _dwell(s: DwellDocument) -> Dwell:
-    return Dwell(s.at, s.start_time, s.duration, np.array(s.orientation, dtype=float))
-
-
 def _fault(details: Any, path: str) -> Fault:
     location = details["loc"]
-    named = [
-        p for i, p in enumerate(location) if not (p in _WRITERS and i and isinstance(location[i - 1], int))
-    ]
+    named = [p for i, p in enumerate(location) if not (p in KINDS and i and isinstance(location[i - 1], int))]
     where = "".join(f"[{p}]" if isinstance(p, int) else f".{p}" for p in named).lstrip(".")
     return Fault(details["msg"], where, path)

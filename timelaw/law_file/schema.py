@@ -1,0 +1,57 @@
+"""What a law file may hold, as models: its head, and segments of every kind."""
+
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Union
+
+from pydantic import BeforeValidator, Field
+
+from timelaw.motion.kinds import KINDS
+from timelaw.motion.schema import BoundsDocument, Duration, Part, Vector3
+
+if TYPE_CHECKING:
+    SegmentDocument = Any
+else:
+    SegmentDocument = Union[tuple(kind.document_model for kind in KINDS.values())]  # noqa: UP007
+
+
+def _no_truth(value: Any) -> Any:
+    """The number 1, which Python takes `true` for."""
+    if isinstance(value, bool):
+        raise ValueError("Input should be 1")
+    return value
+
+
+class BodyDocument(Part):
+    """The body, where a limit needs to know it."""
+
+    inertia: Annotated[list[Vector3], Field(min_length=3, max_length=3)]
+
+
+class RatesDocument(Part):
+    """Rates just outside the motion, in body axes; zero where they are not given."""
+
+    omega: Vector3 = Field(default_factory=lambda: [0.0, 0.0, 0.0])
+    alpha: Vector3 = Field(default_factory=lambda: [0.0, 0.0, 0.0])
+    jerk: Vector3 = Field(default_factory=lambda: [0.0, 0.0, 0.0])
+    snap: Vector3 = Field(default_factory=lambda: [0.0, 0.0, 0.0])
+
+
+class OutsideDocument(Part):
+    """How the motion is entered and left where that is not at rest."""
+
+    before: RatesDocument = RatesDocument()
+    after: RatesDocument = RatesDocument()
+
+
+class LawDocument(Part):
+    """What a reader needs of a law file."""
+
+    format: Literal["timelaw-law"]
+    version: Annotated[Literal[1], BeforeValidator(_no_truth)]
+    name: str
+    conventions: dict[str, str]
+    duration: Duration
+    limits: BoundsDocument
+    continuity: Annotated[int, Field(ge=0, le=4)] = 0
+    body: BodyDocument | None = None
+    outside: OutsideDocument | None = None
+    segments: Annotated[list[Annotated[SegmentDocument, Field(discriminator="kind")]], Field(min_length=1)]

@@ -1,0 +1,142 @@
+"""What a segment of the motion answers for: each kind is a file of its own, listed in `kinds`."""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, ClassVar, Protocol, Self
+
+from timelaw.easing.easing import Side
+from timelaw.limits import Bounds, Limit, Row
+from timelaw.motion.schema import Part
+from timelaw.numerics.array import Array
+from timelaw.numerics.polynomial import Polynomial
+
+RATES = {1: "omega", 2: "alpha", 3: "jerk", 4: "snap"}
+MAX_ORDER = max(RATES)  # q, ω, α, jerk and snap are what a law is evaluated for
+NODE_TOLERANCE = 1e-9  # rad; a few hundred rounding errors of a product of quaternions
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """What a row limits on one piece of a segment: |value| ≤ row.bound for τ from `start` to `end`."""
+
+    row: Row
+    value: Polynomial
+    start: float
+    end: float
+
+
+@dataclass(frozen=True)
+class Discrepancy:
+    """How far a segment is from what it should be in one respect, and what is tolerated."""
+
+    check: str
+    error: float
+    tolerance: float
+
+
+class Segment(Protocol):
+    """A part of the motion between two instants; τ ∈ [0, 1] is the part of its duration that has passed.
+
+    Orientations are unit quaternions (4,), rates (3,) in body axes; `side` says from where a break is
+    looked at, `end` is 0 for the first instant and -1 for the last. A segment that `moves` the
+    body is a leg. `limits` hold on this segment besides those of the law.
+    """
+
+    kind: ClassVar[str]
+    moves: ClassVar[bool]
+    document_model: ClassVar[type[Part]]
+
+    @property
+    def name(self) -> str:
+        """How reports call it."""
+        ...
+
+    @property
+    def origin(self) -> str:
+        """Label of the node where it begins."""
+        ...
+
+    @property
+    def target(self) -> str:
+        """Label of the node where it ends."""
+        ...
+
+    @property
+    def start_time(self) -> float:
+        """First instant [s]."""
+        ...
+
+    @property
+    def end_time(self) -> float:
+        """Last instant [s]."""
+        ...
+
+    @property
+    def duration(self) -> float:
+        """Time between them [s]."""
+        ...
+
+    @property
+    def start(self) -> Array:
+        """Orientation at the first instant."""
+        ...
+
+    @property
+    def end(self) -> Array:
+        """Orientation that it should end in."""
+        ...
+
+    @property
+    def breaks(self) -> Array:
+        """Where its pieces meet (p+1,), in τ."""
+        ...
+
+    @property
+    def limits(self) -> Mapping[str, Bounds]:
+        """Bounds of this segment alone, in SI."""
+        ...
+
+    def __call__(self, tau: Array, order: int, side: Side) -> Array:
+        """At τ (m,): quaternions (m, 4) for order 0, else ω, α, jerk, snap (m, 3)."""
+        ...
+
+    def axis_at(self, end: int) -> Array | None:
+        """The unit axis (3,) it turns about there; None where it does not turn."""
+        ...
+
+    def side(self, order: int, end: int) -> Array:
+        """The k-th rate (3,) at an end, from inside."""
+        ...
+
+    def jumps(self) -> Iterator[Mapping[int, float]]:
+        """At each break inside, by order, the size of the jump of each rate."""
+        ...
+
+    def rates(self, order: int) -> Sequence[Polynomial]:
+        """On each piece a polynomial whose size is that of the k-th rate."""
+        ...
+
+    def quantities(self, limits: Sequence[Limit]) -> Iterator[Quantity]:
+        """What limits bound on it, row by row, piece by piece."""
+        ...
+
+    def unit_vectors(self) -> Iterable[Array]:
+        """Its quaternions and axes, whose norm must be one."""
+        ...
+
+    def end_error(self) -> float:
+        """Distance on S³ between where it leads and `end`."""
+        ...
+
+    def own_checks(self) -> Iterator[Discrepancy]:
+        """What else must be true of this kind."""
+        ...
+
+    def document(self) -> dict[str, Any]:
+        """As the law file has it."""
+        ...
+
+    @classmethod
+    def read(cls, document: Any) -> Self:
+        """From what `document_model` has checked."""
+        ...

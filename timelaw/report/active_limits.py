@@ -1,0 +1,47 @@
+"""Which limits are active where: the part of each that a segment uses, proved, and its course in time."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from timelaw.motion import QuaternionLaw, Segment
+from timelaw.numerics.array import Array
+from timelaw.numerics.bernstein import evaluate
+from timelaw.numerics.extrema import enclose_peaks
+from timelaw.report.curves import POINTS_PER_DEGREE
+
+ACTIVE = 0.999  # of a limit; solvers leave a millionth, what is used to this part is what bounds the law
+
+
+def list_used_parts(law: QuaternionLaw, segment: Segment) -> dict[str, float]:
+    """For each limit the largest part of it that a segment uses."""
+    found = [quantity for quantity, _ in law.quantities(segment)]
+    parts: dict[str, float] = {}
+    for quantity, top in zip(found, enclose_peaks([q.value for q in found]), strict=True):
+        row = quantity.row
+        part = (top.upper / row.bound) ** (1 / row.root)
+        parts[row.label] = max(parts.get(row.label, 0.0), part)
+    return parts
+
+
+def list_active(law: QuaternionLaw, segment: Segment) -> list[str]:
+    """The limits that a segment uses up."""
+    return [label for label, part in list_used_parts(law, segment).items() if part >= ACTIVE]
+
+
+def trace_parts(
+    law: QuaternionLaw, segments: Sequence[Segment], limit: str
+) -> dict[str, tuple[Array, Array]]:
+    """By label the times [s] and the part of a limit, say the torque, that is used at them."""
+    curves: dict[str, tuple[list[Array], list[Array]]] = {}
+    for segment in segments:
+        for quantity, own in law.quantities(segment):
+            row, value = quantity.row, quantity.value
+            if row.limit != limit or own:
+                continue
+            start, end = segment.start_time + segment.duration * np.array([quantity.start, quantity.end])
+            u = np.linspace(0.0, 1.0, 3 + POINTS_PER_DEGREE * value.degree)
+            times, values = curves.setdefault(row.label, ([], []))
+            times.append(start + u * (end - start))
+            values.append((np.abs(evaluate(value.control, u)) / row.bound) ** (1 / row.root))
+    return {label: (np.concatenate(t), np.concatenate(v)) for label, (t, v) in curves.items()}
