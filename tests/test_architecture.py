@@ -16,7 +16,7 @@ PLAN = """
 ground:      errors progress files units numerics
 vocabulary:  limits least_time easing objectives
 law wing:    motion law_file certificate
-design wing: problem orientations tours route schedule nlp time_law
+design wing: problem orientations tours route requirements nlp time_law
 meeting:     compose pipeline
 showing:     report export study cli
 """

@@ -18,9 +18,9 @@ from timelaw.export import law_json
 from timelaw.law_file.document import from_document
 from timelaw.orientations import orientations
 from timelaw.pipeline import design
+from timelaw.requirements import resolve_requirements
 from timelaw.route import route
-from timelaw.schedule import schedule
-from timelaw.time_law import double_s
+from timelaw.time_law.baselines import time_double_s
 from timelaw.tours import tour
 
 THETA = 2 * np.pi / 3
@@ -303,5 +303,5 @@ def _double_s(limits):
     spec = problem(f"limits: {limits}")
     points = orientations(spec.route.orientations, Path())
     way = route(points, tour(spec, points))
-    plan = schedule(spec, way)
-    return compose_law("t", way, double_s(way, plan), plan)
+    plan = resolve_requirements(spec, way)
+    return compose_law("t", way, time_double_s(way, plan), plan)

@@ -12,7 +12,7 @@ from timelaw.easing.time_scaling import fit_to_limits, list_used, used_fraction
 from timelaw.least_time.phase_plane import phase_plane_time
 from timelaw.limits import LIMITS, list_rows, make_limits
 from timelaw.nlp import RunProblem, Status
-from timelaw.nlp.optimise import solve_run
+from timelaw.nlp.single_runs import solve_run
 from timelaw.numerics.polynomial import Polynomial
 
 INERTIA = np.array([[12.0, 1.0, -0.5], [1.0, 10.0, 0.7], [-0.5, 0.7, 8.0]])

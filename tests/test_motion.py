@@ -9,7 +9,9 @@ from scipy.spatial.transform import Rotation
 from tests.cases import reference
 from timelaw.certificate.continuity import check_continuity
 from timelaw.certificate.effort import measure_effort
-from timelaw.time_law import TimeLaw, double_s, physical_limit, quintic
+from timelaw.requirements.route_limit import limit_route
+from timelaw.time_law import TimeLaw
+from timelaw.time_law.baselines import time_double_s, time_quintic
 
 
 @pytest.fixture(scope="module", params=["optimised", "quintic", "double-S"])
@@ -110,7 +112,7 @@ def test_the_quintics_effort_in_closed_form(paper):
 
 
 def test_time_laws_know_the_route_parameter_only(paper):
-    time_law = TimeLaw("test", double_s(paper.route, paper.schedule).timings)
+    time_law = TimeLaw("test", time_double_s(paper.route, paper.requirements).timings)
     np.testing.assert_allclose(time_law(time_law.times), range(12), atol=1e-12)
     t = np.linspace(0, time_law.duration, 77)
     law = next(b.law for b in paper.baselines if b.name == "double-S")
@@ -120,10 +122,12 @@ def test_time_laws_know_the_route_parameter_only(paper):
 
 
 def test_baselines_take_their_closed_form_times(paper):
-    assert quintic(paper.schedule).duration == pytest.approx(41.25, rel=1e-10)
-    assert double_s(paper.route, paper.schedule).duration == pytest.approx(27.6, rel=1e-10)
-    assert double_s(paper.route, paper.schedule, stop=True).duration == pytest.approx(29.7, rel=1e-10)
-    assert physical_limit(paper.route, paper.schedule) == pytest.approx(27.6, rel=1e-14)
+    assert time_quintic(paper.requirements).duration == pytest.approx(41.25, rel=1e-10)
+    assert time_double_s(paper.route, paper.requirements).duration == pytest.approx(27.6, rel=1e-10)
+    assert time_double_s(paper.route, paper.requirements, stop=True).duration == pytest.approx(
+        29.7, rel=1e-10
+    )
+    assert limit_route(paper.route, paper.requirements) == pytest.approx(27.6, rel=1e-14)
 
 
 def test_without_straight_nodes_there_is_one_double_s():

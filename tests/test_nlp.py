@@ -13,7 +13,7 @@ from timelaw.least_time.double_s import double_s_time
 from timelaw.nlp import RunProblem, Status
 from timelaw.nlp import exchange as exchange_module
 from timelaw.nlp.ipopt import Outcome
-from timelaw.nlp.optimise import solve_run
+from timelaw.nlp.single_runs import solve_run
 
 DEG = np.pi / 180
 ROBOT = {"velocity": 60 * DEG, "acceleration": 120 * DEG, "jerk": 600 * DEG}

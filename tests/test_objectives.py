@@ -10,13 +10,13 @@ from timelaw.easing.family import PolynomialFamily
 from timelaw.easing.smoothstep import control_points
 from timelaw.easing.time_scaling import used_fraction
 from timelaw.errors import InfeasibleError
-from timelaw.nlp import Budget, RunProblem, Status
-from timelaw.nlp.couple import Deadline, couple
-from timelaw.nlp.optimise import least_time
-from timelaw.nlp.program import Program, total
+from timelaw.nlp import Budget, Program, RunProblem, Status
+from timelaw.nlp.all_runs import Deadline, solve_together
+from timelaw.nlp.single_runs import solve_runs
+from timelaw.nlp.solution import total
 from timelaw.numerics.bernstein import elevate
-from timelaw.objectives import effort_of
-from timelaw.problem.goal import Goal, TotalTime
+from timelaw.objectives import EFFORTS
+from timelaw.problem.objective import Goal, TotalTime
 
 ROBOT = {"velocity": 1.0, "acceleration": 2.0, "jerk": 10.0}
 INERTIA = np.diag([12.0, 10.0, 8.0])
@@ -28,13 +28,13 @@ def solve(angles, minimise, factor=None, degree=9, continuity=2, limits=ROBOT, w
         RunProblem((demand(a, limits, inertia=INERTIA),), PolynomialFamily(degree, continuity))
         for a in angles
     ]
-    least = least_time(runs)
+    least = solve_runs(runs)
     given, goal = [], {"weight": weight}
     if factor is not None:
         time = factor * total(least.timings)
         given = [Deadline(Budget(len(angles), time), "objective.total_time", "the end", 0.0)]
         goal = {"total_time": TotalTime(time)}
-    solution = couple(runs, least.timings, Goal(minimise=minimise, **goal), given)
+    solution = solve_together(runs, least.timings, Goal(minimise=minimise, **goal), given)
     assert solution.status in (Status.OPTIMAL, Status.SECOND_START)
     return Program(tuple(runs)), least.timings, solution
 
@@ -54,7 +54,7 @@ def test_least_effort_in_a_given_time_is_the_smoothstep(minimise):
     np.testing.assert_allclose(
         solution.timings[0].easing.pieces[0], elevate(control_points(order), 9), rtol=0, atol=1e-8
     )
-    assert effort_of(minimise, program.demands, solution.timings) == pytest.approx(
+    assert EFFORTS[minimise].measure(program.demands, solution.timings) == pytest.approx(
         cost(2.0, solution.duration), rel=1e-9
     )
 
@@ -75,9 +75,9 @@ def test_limits_hold_and_effort_falls_with_time(minimise):
         program, least, solution = solve([2.0, 1.0], minimise, factor, 9, 3)
         assert used_fraction(program.demands, solution.timings) <= 1
         assert solution.duration == pytest.approx(factor * total(least), rel=1e-12)
-        efforts.append(effort_of(minimise, program.demands, solution.timings))
+        efforts.append(EFFORTS[minimise].measure(program.demands, solution.timings))
         stretched = [t.stretched(factor) for t in least]
-        assert efforts[-1] <= effort_of(minimise, program.demands, stretched)
+        assert efforts[-1] <= EFFORTS[minimise].measure(program.demands, stretched)
     assert efforts[0] > efforts[1] > efforts[2]
 
 
@@ -90,7 +90,7 @@ def test_the_effort_of_torque_is_the_integral_of_eulers_equation():
     torque = np.outer(second, INERTIA @ axis) + np.outer(first**2, np.cross(axis, INERTIA @ axis))
     expected = np.mean(np.sum(torque**2, axis=1)) * timing.duration
     assert leg.torque is not None
-    assert effort_of("torque", program.demands, solution.timings) == pytest.approx(expected, rel=1e-5)
+    assert EFFORTS["torque"].measure(program.demands, solution.timings) == pytest.approx(expected, rel=1e-5)
 
 
 def test_peak_at_the_least_time_is_one():
@@ -122,13 +122,13 @@ def test_weights_trade_time_against_effort():
         program, least, solution = solve([2.0, 1.0], "jerk", weight=weight)
         assert used_fraction(program.demands, solution.timings) <= 1
         results.append(
-            (solution.duration / total(least), effort_of("jerk", program.demands, solution.timings))
+            (solution.duration / total(least), EFFORTS["jerk"].measure(program.demands, solution.timings))
         )
     times, efforts = zip(*results, strict=True)
     assert 1 <= times[0] < times[1] < times[2]
     assert efforts[0] > efforts[1] > efforts[2]
     # where no limit binds, E is the quintics' and falls as T^-5, so T + c E is least where T = 5 c E
-    least_effort = effort_of("jerk", program.demands, least)
+    least_effort = EFFORTS["jerk"].measure(program.demands, least)
     quintic = sum(
         720 * d.angle**2 / t.duration**5 for d, t in zip(program.demands, solution.timings, strict=True)
     )

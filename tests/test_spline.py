@@ -13,7 +13,7 @@ from timelaw.easing.spline_basis import SplineBasis
 from timelaw.easing.time_scaling import used_fraction
 from timelaw.least_time.double_s import double_s_time
 from timelaw.nlp import RunProblem, Status
-from timelaw.nlp.optimise import solve_run
+from timelaw.nlp.single_runs import solve_run
 
 DEG = np.pi / 180
 REFERENCE = [(60, 120, 600), (1, 0.05, 0.01), (720, 2000, 100000), (10, 900, 90000)]

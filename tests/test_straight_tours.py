@@ -13,9 +13,9 @@ from tests.cases import problem, unit_quaternions
 from timelaw.errors import InputError
 from timelaw.orientations import OrientationSet, orientations
 from timelaw.orientations.lattices import lattice
+from timelaw.requirements import resolve_requirements
+from timelaw.requirements.route_limit import limit_route
 from timelaw.route import route
-from timelaw.schedule import schedule
-from timelaw.time_law import physical_limit
 from timelaw.tours import tour
 from timelaw.tours.counts import by_straight_nodes, cycles, main, paths
 from timelaw.tours.lines import Lines
@@ -191,7 +191,7 @@ def test_the_fewest_stops_save_what_they_should():
         made = problem(f"route: {{orientations: {{lattice: {name}}}, tour: fewest-stops}}")
         points = orientations(made.route.orientations, Path())
         way = route(points, tour(made, points))
-        assert physical_limit(way, schedule(made, way)) == pytest.approx(total, rel=1e-12)
+        assert limit_route(way, resolve_requirements(made, way)) == pytest.approx(total, rel=1e-12)
 
 
 @pytest.mark.parametrize(

@@ -7,15 +7,27 @@ from timelaw.certificate import Certificate, certify
 from timelaw.compose import compose_law
 from timelaw.easing.family import Family
 from timelaw.motion import QuaternionLaw
-from timelaw.nlp import Optimised, optimise
-from timelaw.nlp.easing_choice import allowed_excess, choose_families
+from timelaw.nlp import Timings, optimise
 from timelaw.orientations import OrientationSet, orientations
 from timelaw.problem import Problem, Source, load
 from timelaw.progress import Progress
+from timelaw.requirements import Requirements, resolve_requirements
 from timelaw.route import Route, route
-from timelaw.schedule import Schedule, schedule
-from timelaw.time_law import BASELINES, TimeLaw, optimised
+from timelaw.time_law import BASELINES, TimeLaw
 from timelaw.tours import Tour, tour
+
+
+@dataclass(frozen=True)
+class Layout:
+    """What is fixed before any time is chosen."""
+
+    path: Path
+    problem: Problem
+    source: Source
+    orientations: OrientationSet
+    tour: Tour
+    route: Route
+    requirements: Requirements
 
 
 @dataclass(frozen=True)
@@ -28,18 +40,11 @@ class Certified:
 
 
 @dataclass(frozen=True)
-class Design:
+class Design(Layout):
     """All that came of a problem: everything the report shows and the files hold."""
 
-    path: Path
-    problem: Problem
-    source: Source
-    orientations: OrientationSet
-    tour: Tour
-    route: Route
-    schedule: Schedule
     family: Family
-    solution: Optimised
+    solution: Timings
     optimised: Certified
     baselines: tuple[Certified, ...]
 
@@ -62,52 +67,42 @@ def design(path: str | Path, progress: Progress | None = None) -> Design:
 
 def design_problem(path: Path, problem: Problem, source: Source, progress: Progress | None = None) -> Design:
     """Design the law of a problem that is already read; tables are looked for beside `path`."""
+    layout = lay_out_problem(path, problem, source, progress)
     with source.placed():
-        points, order, way, plan = _lay_out(path, problem, progress)
-        candidates = choose_families(problem)
-        family, solution = optimise(
-            way, plan, candidates, allowed_excess(problem), problem.objective, progress
-        )
-    law = _certified(problem, way, optimised(solution, plan), plan, problem.nodes.continuity)
-    baselines = [b for name in problem.baselines for b in BASELINES[name](way, plan)]
-    beside = tuple(_certified(problem, way, time_law, plan) for time_law in baselines)
-    return Design(path, problem, source, points, order, way, plan, family, solution, law, beside)
-
-
-@dataclass(frozen=True)
-class Layout:
-    """What is fixed before any time is chosen."""
-
-    path: Path
-    problem: Problem
-    orientations: OrientationSet
-    tour: Tour
-    route: Route
-    schedule: Schedule
+        family, solution = optimise(problem, layout.route, layout.requirements, progress)
+    time_law = TimeLaw("optimised", solution.timings, layout.requirements.dwells)
+    optimised = certify_time_law(layout, time_law, problem.nodes.continuity)
+    baselines = [
+        certify_time_law(layout, baseline)
+        for name in problem.baselines
+        for baseline in BASELINES[name](layout.route, layout.requirements)
+    ]
+    return Design(
+        **vars(layout), family=family, solution=solution, optimised=optimised, baselines=tuple(baselines)
+    )
 
 
 def lay_out(path: str | Path, progress: Progress | None = None) -> Layout:
-    """Read a problem file as far as its route and what is demanded on it, without designing a law.
+    """Read a problem file as far as its route and what is required on it, without designing a law.
 
     Raises:
         InputError: the problem file, or a table it names, is wrong.
     """
     problem, source = load(path := Path(path))
+    return lay_out_problem(path, problem, source, progress)
+
+
+def lay_out_problem(path: Path, problem: Problem, source: Source, progress: Progress | None = None) -> Layout:
+    """The orientations, the tour through them, the route it fixes, and what is required on that."""
     with source.placed():
-        return Layout(path, problem, *_lay_out(path, problem, progress))
+        points = orientations(problem.route.orientations, path.parent)
+        order = tour(problem, points, progress)
+        way = route(points, order)
+        requirements = resolve_requirements(problem, way)
+    return Layout(path, problem, source, points, order, way, requirements)
 
 
-def _lay_out(
-    path: Path, problem: Problem, progress: Progress | None
-) -> tuple[OrientationSet, Tour, Route, Schedule]:
-    points = orientations(problem.route.orientations, path.parent)
-    order = tour(problem, points, progress)
-    way = route(points, order)
-    return points, order, way, schedule(problem, way)
-
-
-def _certified(
-    problem: Problem, way: Route, time_law: TimeLaw, plan: Schedule, continuity: int = 0
-) -> Certified:
-    law = compose_law(problem.name, way, time_law, plan, continuity)
+def certify_time_law(layout: Layout, time_law: TimeLaw, continuity: int = 0) -> Certified:
+    """A time law laid along the route, and what is proved of it; `continuity` is what was asked of it."""
+    law = compose_law(layout.problem.name, layout.route, time_law, layout.requirements, continuity)
     return Certified(time_law.name, law, certify(law))

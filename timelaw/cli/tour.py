@@ -10,7 +10,7 @@ from timelaw.cli.console import print_json, print_table, progress, say
 from timelaw.errors import EXIT_DONE, InputError
 from timelaw.files import write_text
 from timelaw.pipeline import Layout, lay_out
-from timelaw.time_law import physical_limit
+from timelaw.requirements.route_limit import limit_route
 from timelaw.tours import sharpened
 from timelaw.tours.report import arc_table, certificate, merit_data, notes, orientation_csv
 from timelaw.tours.straight import STRAIGHT
@@ -46,7 +46,7 @@ def run(problem: str, output: str | None, *, table: bool, as_json: bool) -> int:
 
 def _summary(layout: Layout) -> dict[str, Any]:
     """Everything there is to say, in plain data; angles in degrees."""
-    route, schedule = layout.route, layout.schedule
+    route, requirements = layout.route, layout.requirements
     inner = route.nodes[1:-1]
     return {
         "name": layout.problem.name,
@@ -60,13 +60,13 @@ def _summary(layout: Layout) -> dict[str, Any]:
         "length": float(np.degrees(layout.tour.length)),
         "total_turning": float(np.degrees(sum(n.turn for n in inner))),
         "straight_nodes": route.straight_nodes,
-        "runs": [len(run.angles) for run in schedule.runs(route)],
+        "runs": [len(run.angles) for run in requirements.runs(route)],
         "is_shortest": layout.tour.is_shortest,
         "certificate": "; ".join(certificate(layout.tour)),
         "merits": [merit_data(merit) for merit in layout.tour.merits],
         "notes": notes(layout.orientations),
-        "time_over_runs": physical_limit(route, schedule),
-        "time_with_every_stop": physical_limit(route, schedule, stop=True),
+        "time_over_runs": limit_route(route, requirements),
+        "time_with_every_stop": limit_route(route, requirements, stop=True),
     }
 
 

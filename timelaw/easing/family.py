@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Protocol
+from typing import ClassVar, Protocol
 
 import numpy as np
 
@@ -47,6 +47,15 @@ class Family(Protocol):
         """Where the search for the best law over a run starts."""
         ...
 
+    @property
+    def rigid(self) -> bool:
+        """Whether the closed form is all there is: nothing is left to choose."""
+        ...
+
+    def simpler(self) -> "Family | None":
+        """A family whose laws this one contains, of about half the freedom; None if there is none."""
+        ...
+
 
 @dataclass(frozen=True)
 class PolynomialFamily:
@@ -54,6 +63,7 @@ class PolynomialFamily:
 
     degree: int
     continuity: int
+    rigid: ClassVar[bool] = False
 
     @property
     def label(self) -> str:
@@ -70,8 +80,8 @@ class PolynomialFamily:
 
     start = closed_form
 
-    def simpler(self) -> "PolynomialFamily | None":
-        """A family whose laws this one contains, of about half the freedom; none for the least."""
+    def simpler(self) -> Family | None:
+        """A polynomial of about half the freedom; none for the least."""
         least = 2 * self.continuity + 1
         degree = (self.degree + least) // 2
         return PolynomialFamily(degree, self.continuity) if least + 2 <= degree < self.degree else None
@@ -84,6 +94,7 @@ class SplineFamily:
     degree: int
     intervals: int
     continuity: int
+    rigid: ClassVar[bool] = False
 
     @property
     def label(self) -> str:
@@ -115,6 +126,10 @@ class SplineFamily:
         """The double-S profile, which smoother splines come near to."""
         return fit_double_s(demands)
 
+    def simpler(self) -> Family | None:
+        """None: a spline on fewer intervals is no simpler to find."""
+        return None
+
 
 def profile_class(demands: Sequence[Demand]) -> int:
     """The class C^k of the double-S profile: 2 where jerk is limited, 1 where acceleration is, else 0."""
@@ -127,6 +142,7 @@ class DoubleSFamily:
     """The double-S profile itself: nothing is left to choose."""
 
     continuity: int
+    rigid: ClassVar[bool] = True
 
     @property
     def label(self) -> str:
@@ -142,6 +158,10 @@ class DoubleSFamily:
         return fit_double_s(demands)
 
     start = closed_form
+
+    def simpler(self) -> Family | None:
+        """There is one profile."""
+        return None
 
 
 def divide_breaks(breaks: Sequence[float], intervals: int, least: float) -> tuple[float, ...]:

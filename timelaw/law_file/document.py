@@ -10,8 +10,8 @@ from timelaw.errors import Fault, InputError
 from timelaw.law_file.schema import LawDocument
 from timelaw.limits import LIMITS
 from timelaw.limits.bounds import read_bounds, write_bounds
+from timelaw.motion import QuaternionLaw
 from timelaw.motion.kinds import KINDS
-from timelaw.motion.quaternion_law import QuaternionLaw
 from timelaw.motion.segment import RATES
 
 FORMAT = "timelaw-law"

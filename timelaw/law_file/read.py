@@ -8,7 +8,7 @@ from typing import Any
 from timelaw.errors import Fault, InputError
 from timelaw.files import read_text
 from timelaw.law_file.document import from_document
-from timelaw.motion.quaternion_law import QuaternionLaw
+from timelaw.motion import QuaternionLaw
 
 MAX_BYTES = 500_000_000
 

@@ -1,6 +1,7 @@
 """The nonlinear program: durations and easing coefficients of each run under the limits."""
 
-from timelaw.nlp.optimise import Optimised, optimise
-from timelaw.nlp.program import Budget, Program, RunProblem, Solution, Status
+from timelaw.nlp.optimiser import optimise
+from timelaw.nlp.program import Budget, Program, RunProblem
+from timelaw.nlp.solution import Solution, Status, Timings
 
-__all__ = ["Budget", "Optimised", "Program", "RunProblem", "Solution", "Status", "optimise"]
+__all__ = ["Budget", "Program", "RunProblem", "Solution", "Status", "Timings", "optimise"]

@@ -15,10 +15,10 @@ from timelaw.easing import Timing
 from timelaw.easing.time_scaling import fit_to_limits, used_fraction
 from timelaw.nlp.extrema_search import add_extrema
 from timelaw.nlp.ipopt import Outcome, solve
-from timelaw.nlp.program import Program, Solution, Status, total
+from timelaw.nlp.program import Program
+from timelaw.nlp.solution import Solution, Status, total
 from timelaw.nlp.transcription import Points, pack, transcribe
 from timelaw.numerics.array import Array
-from timelaw.objectives import EFFORTS, effort_of
 
 GAP = 1e-6  # relative: what the limits between the points may still cost, in time or in their used part
 MARGIN = 2e-6  # of every limit, where time cannot be stretched; GAP and rounding fit into it
@@ -34,7 +34,7 @@ def solve_from(program: Program, start: Sequence[Timing]) -> Solution | None:
         for demand, basis in zip(program.demands, program.bases, strict=True)
     ]
     room = 1.0 if program.elastic else 1.0 - MARGIN
-    scale = effort_of(program.objective if program.objective in EFFORTS else "jerk", program.demands, start)
+    scale = program.objective.scale(program.demands, start)
     best: Solution | None = None
     timings, iterations = _in_basis(program, start, units), 0
     for rounds in range(1, ROUNDS + 1):
@@ -72,13 +72,13 @@ def _fitted(program: Program, timings: Sequence[Timing]) -> tuple[Timing, ...]:
 def _start(program: Program, timings: Sequence[Timing], units: Array) -> Array:
     """Variables of the last timings, a little inside the limits where time may be stretched."""
     inside = [timing.stretched(INSIDE) for timing in timings] if program.elastic else list(timings)
-    used = used_fraction(program.demands, inside) if program.objective == "peak" else 0.0
+    used = used_fraction(program.demands, inside) if program.objective.scales_limits else 0.0
     return pack(program, inside, units, INSIDE * used)
 
 
 def _used(program: Program, outcome: Outcome) -> float:
     """The part of the limits that the program allowed itself."""
-    return float(outcome.x[-1]) if program.objective == "peak" else 1.0
+    return float(outcome.x[-1]) if program.objective.scales_limits else 1.0
 
 
 def _closed(
@@ -89,7 +89,7 @@ def _closed(
         timings = _fitted(program, found)
         return timings, total(timings) / total(found) - 1
     excess = used_fraction(program.demands, found) / _used(program, outcome) - 1
-    return found, excess if program.objective == "peak" else excess + GAP  # within the margin, no gap
+    return found, excess if program.objective.scales_limits else excess + GAP  # within the margin, no gap
 
 
 def _better(program: Program, best: Solution | None, found: Solution) -> Solution:

@@ -1,13 +1,14 @@
-"""What is asked of the solver, and what comes back."""
+"""What is asked of the solver."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass
-from enum import Enum
 from functools import cached_property
 
-from timelaw.easing import Timing
 from timelaw.easing.family import Basis, Family
 from timelaw.limits import Demand
+from timelaw.objectives import OBJECTIVES, Objective
+from timelaw.requirements import RunDemand
+
+LEAST_TIME, LEAST_PEAK = OBJECTIVES["time"], OBJECTIVES["peak"]
 
 
 @dataclass(frozen=True)
@@ -22,11 +23,15 @@ class RunProblem:
     start: tuple[float, ...] = ()
     end: tuple[float, ...] = ()
 
+    @cached_property
+    def run(self) -> RunDemand:
+        """What must hold, whatever the easing."""
+        return RunDemand(self.demands, self.start, self.end)
+
     @property
     def elastic(self) -> bool:
         """Whether stretching time leaves everything true but the times."""
-        fixed = any(demand.duration is not None for demand in self.demands)
-        return not fixed and not any(self.start) and not any(self.end)
+        return self.run.elastic
 
     @cached_property
     def bases(self) -> tuple[Basis, ...]:
@@ -35,7 +40,7 @@ class RunProblem:
 
     def key(self) -> tuple[object, ...]:
         """Equal for runs that have equal solutions."""
-        return (tuple(demand.key() for demand in self.demands), self.start, self.end)
+        return self.run.key()
 
 
 @dataclass(frozen=True)
@@ -48,14 +53,13 @@ class Budget:
 
 @dataclass(frozen=True)
 class Program:
-    """Runs to be solved together: an objective by its key, and times that are given.
+    """Runs to be solved together: an objective, and times that are given.
 
-    With `weight` the objective is added to the time: T/T* + weight E/E*, T* and E* those of the
-    start. `margin` is kept from every limit where time cannot be stretched afterwards.
+    With `weight` the objective is added to the time: T/T* + weight E/E*, T* and E* those of the start.
     """
 
     runs: tuple[RunProblem, ...]
-    objective: str = "time"
+    objective: Objective = LEAST_TIME
     weight: float | None = None
     budgets: tuple[Budget, ...] = ()
 
@@ -72,55 +76,4 @@ class Program:
     @property
     def elastic(self) -> bool:
         """Whether the last excess over a limit may be closed by stretching time."""
-        return self.objective == "time" and not self.budgets and all(run.elastic for run in self.runs)
-
-
-class Status(Enum):
-    """How a program was solved; the text says what to do about it."""
-
-    OPTIMAL = "solved to optimality"
-    CHOSEN = "the double-S profile, as chosen"
-    PHYSICAL_LIMIT = "the double-S profile, which the easing contains and no law beats"
-    SECOND_START = "solved to optimality from the second start"
-    SIMPLER = "solved from the solution of a simpler easing, after other starts failed"
-    STRETCHED = (
-        "the solver failed on the objective: the least-time law, stretched to the given times, is used; "
-        "try another easing"
-    )
-    ACCEPTABLE = (
-        "solved to the solver's acceptable tolerance only; the law holds its limits, but may not be least"
-    )
-    LEAST_PEAK = (
-        "the solver failed on the objective: the law that uses the least part of the limits is used; "
-        "try another easing degree or more time"
-    )
-    CLOSED_FORM = (
-        "the solver failed from every start: the best law in closed form is used; try another easing"
-    )
-
-
-@dataclass(frozen=True)
-class Solution:
-    """Timings of the legs that hold the limits, and how they were found.
-
-    `rounds` counts solutions of the nonlinear program: after each, the extrema that exceed a
-    limit are demanded too. `gap` is what those cost at the end, relative in time for least time,
-    else in the part of the limits that is used.
-    """
-
-    timings: tuple[Timing, ...]
-    status: Status
-    iterations: int = 0
-    rounds: int = 0
-    gap: float = 0.0
-    rows: int = 0
-
-    @property
-    def duration(self) -> float:
-        """Total time of the legs [s]."""
-        return total(self.timings)
-
-
-def total(timings: Sequence[Timing]) -> float:
-    """Σ T_k [s]."""
-    return sum(timing.duration for timing in timings)
+        return self.objective.separable and not self.budgets and all(run.elastic for run in self.runs)

@@ -79,7 +79,7 @@ def transcribe(
         for demand, leg, basis, tau in zip(demands, legs, program.bases, points, strict=True)
         for row in _limit_rows(demand, leg, basis, tau)
     ]
-    with_peak = program.objective == "peak"
+    with_peak = program.objective.scales_limits
     g = ca.vertcat(*(value for value, _ in rows))
     if with_peak:
         used = ca.vertcat(*(ca.repmat(peak**root, value.numel(), 1) for value, root in rows))
@@ -94,7 +94,7 @@ def transcribe(
         "lbg": np.concatenate([lower, ones]),
         "ubg": np.concatenate([upper, ones]),
     }
-    objective = _objective(program, legs, float(np.mean(units)), effort_scale, peak)
+    objective = program.objective.expression(_Terms(program, legs, float(np.mean(units)), effort_scale, peak))
     symbols = {"x": x, "f": objective, "g": ca.vertcat(g, *times)}
     unpack = ca.Function(
         "unpack", [x], [seconds, *(leg.apply(basis) for leg, basis in zip(legs, program.bases, strict=True))]
@@ -154,31 +154,45 @@ def _limit_rows(demand: Demand, leg: _Leg, basis: Basis, points: Sequence[Array]
     return rows
 
 
-def _objective(program: Program, legs: Sequence[_Leg], unit: float, effort_scale: float, peak: Any) -> Any:
-    """Time in mean durations of the start; efforts over that of the start."""
-    if program.objective == "peak":
-        return peak
-    time = ca.sum1(ca.vertcat(*(leg.duration for leg in legs))) / unit
-    if program.objective == "time":
-        if program.elastic or effort_scale == 0:
-            return time
-        return time + TIE_WEIGHT * len(legs) * _effort("jerk", program, legs) / effort_scale
-    effort = _effort(program.objective, program, legs) / effort_scale
-    return effort if program.weight is None else time / len(legs) + program.weight * effort
+@dataclass(frozen=True)
+class _Terms:
+    """What objectives are made of, as expressions; see `timelaw.objectives.objective.Terms`."""
 
+    program: Program
+    symbols: Sequence[_Leg]
+    unit: float
+    scale: float
+    used_part: Any
 
-TIE_WEIGHT = 1e-4  # of jerk against time, where given times leave room: of equally fast laws a calm one
+    @property
+    def legs(self) -> int:
+        """How many."""
+        return len(self.symbols)
 
+    @property
+    def weight(self) -> float | None:
+        """Of an effort against time."""
+        return self.program.weight
 
-def _effort(name: str, program: Program, legs: Sequence[_Leg]) -> Any:
-    """∫ g dt over all legs by Gauss-Legendre, exact for the polynomials at hand."""
-    effort = EFFORTS[name]
-    terms = []
-    for demand, leg, basis in zip(program.demands, legs, program.bases, strict=True):
-        tau, weights = basis.quadrature()
-        rates = _rates(demand.angle, leg, basis, tau, effort.orders)
-        terms.append(leg.duration * ca.dot(ca.DM(weights), effort.integrand(demand, rates)))
-    return ca.sum1(ca.vertcat(*terms))
+    @property
+    def elastic(self) -> bool:
+        """Whether time may be stretched afterwards."""
+        return self.program.elastic
+
+    @property
+    def time(self) -> Any:
+        """Total time in mean durations of the start."""
+        return ca.sum1(ca.vertcat(*(leg.duration for leg in self.symbols))) / self.unit
+
+    def effort(self, name: str) -> Any:
+        """∫ g dt over all legs over that of the start, by Gauss-Legendre, exact for polynomials."""
+        effort = EFFORTS[name]
+        terms = []
+        for demand, leg, basis in zip(self.program.demands, self.symbols, self.program.bases, strict=True):
+            tau, weights = basis.quadrature()
+            rates = _rates(demand.angle, leg, basis, tau, effort.orders)
+            terms.append(leg.duration * ca.dot(ca.DM(weights), effort.integrand(demand, rates)))
+        return ca.sum1(ca.vertcat(*terms)) / (self.scale or 1.0)
 
 
 def _variable_bounds(program: Program, units: Array, sizes: Sequence[int]) -> dict[str, Array]:
@@ -188,7 +202,7 @@ def _variable_bounds(program: Program, units: Array, sizes: Sequence[int]) -> di
     for k, demand in enumerate(program.demands):
         if demand.duration is not None:
             lower[k] = upper[k] = demand.duration / units[k]
-    lower[-1], upper[-1] = 0.0, (np.inf if program.objective == "peak" else 0.0)
+    lower[-1], upper[-1] = 0.0, (np.inf if program.objective.scales_limits else 0.0)
     return {"lbx": lower, "ubx": upper}
 
 
@@ -211,4 +225,4 @@ def pack(program: Program, timings: Sequence[Timing], units: Array, peak: float)
         )
         parts += [basis.free_of(timing.easing) for basis, timing in zip(run.bases, own, strict=True)]
         first += len(own)
-    return np.concatenate([*parts, [peak if program.objective == "peak" else 0.0]])
+    return np.concatenate([*parts, [peak if program.objective.scales_limits else 0.0]])

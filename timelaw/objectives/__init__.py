@@ -1,6 +1,7 @@
 """Objectives: what the nonlinear program makes least."""
 
-from timelaw.objectives.integral import effort_of
-from timelaw.objectives.objective import EFFORTS, Effort
+from timelaw.objectives.effort import EFFORTS, Effort
+from timelaw.objectives.objective import Objective
+from timelaw.objectives.registry import OBJECTIVES
 
-__all__ = ["EFFORTS", "Effort", "effort_of"]
+__all__ = ["EFFORTS", "OBJECTIVES", "Effort", "Objective"]

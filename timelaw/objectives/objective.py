@@ -1,36 +1,87 @@
-"""The registry of objectives, by the key they have in problem files.
+"""What an objective answers for: to the problem file, to the solver, and to whoever compares laws by it."""
 
-An effort is an integral over the motion, ∫ g(φ', φ'', …) dt leg by leg; with n the leg's fixed
-axis, |α| = |φ''| and |jerk| = |φ'''|. For given time the least ∫|jerk|² is the quintic's,
-720 θ²/T⁵; the least ∫|α|² with ω continuous is 12 θ²/T³, of 3τ² - 2τ³; the least ∫|snap|² is the
-septic's, 100800 θ²/T⁷.
-"""
+from collections.abc import Sequence
+from typing import Any, Protocol
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from typing import Any
-
+from timelaw.easing import Timing
 from timelaw.limits import Demand
 
 
-@dataclass(frozen=True)
-class Effort:
-    """∫ g dt: `integrand(demand, rates)` is g on a leg, `rates[k]` the k-th rate in whatever form."""
+class Terms(Protocol):
+    """What a program offers an objective to be made of, each an expression of order one.
 
-    unit: str
-    orders: tuple[int, ...]
-    integrand: Callable[[Demand, Mapping[int, Any]], Any]
+    `legs` is the number of legs, `weight` that of an effort against time, if it has one.
+    """
+
+    @property
+    def legs(self) -> int: ...  # noqa: D102
+    @property
+    def weight(self) -> float | None: ...  # noqa: D102
+
+    @property
+    def elastic(self) -> bool:
+        """Whether time may be stretched to the limits afterwards."""
+        ...
+
+    @property
+    def scale(self) -> float:
+        """The effort of the start; 0 where it has none."""
+        ...
+
+    @property
+    def time(self) -> Any:
+        """Total time in mean durations of a leg at the start."""
+        ...
+
+    @property
+    def used_part(self) -> Any:
+        """The variable by which all limits are scaled."""
+        ...
+
+    def effort(self, name: str) -> Any:
+        """An effort relative to that of the start, where the start has one."""
+        ...
 
 
-def _torque(demand: Demand, rates: Mapping[int, Any]) -> Any:
-    if demand.torque is None:
-        raise ValueError("the torque of a leg needs the inertia")
-    return demand.torque.value(rates)
+class Objective(Protocol):
+    """What is made least.
 
+    `unit` is that of its measure, `words` what people call it. `takes` are the keys of a problem file
+    that say in what time it is made least, or against which weight; without any, time is what is
+    made least. `continuity` is the least class C^k under which it is finite.
+    """
 
-EFFORTS: dict[str, Effort] = {
-    "energy": Effort("rad²/s³", (2,), lambda _, rates: rates[2] * rates[2]),
-    "jerk": Effort("rad²/s⁵", (3,), lambda _, rates: rates[3] * rates[3]),
-    "snap": Effort("rad²/s⁷", (4,), lambda _, rates: rates[4] * rates[4]),
-    "torque": Effort("N²·m²·s", (1, 2), _torque),
-}
+    @property
+    def name(self) -> str: ...  # noqa: D102
+    @property
+    def words(self) -> str: ...  # noqa: D102
+    @property
+    def unit(self) -> str: ...  # noqa: D102
+    @property
+    def takes(self) -> tuple[str, ...]: ...  # noqa: D102
+    @property
+    def continuity(self) -> int: ...  # noqa: D102
+    @property
+    def needs_inertia(self) -> bool: ...  # noqa: D102
+
+    @property
+    def separable(self) -> bool:
+        """Whether each run may be solved by itself, and time stretched to the limits at the end."""
+        ...
+
+    @property
+    def scales_limits(self) -> bool:
+        """Whether a variable that scales all limits is what is made least."""
+        ...
+
+    def measure(self, demands: Sequence[Demand], timings: Sequence[Timing]) -> float:
+        """Its value for given timings of the legs."""
+        ...
+
+    def scale(self, demands: Sequence[Demand], start: Sequence[Timing]) -> float:
+        """What efforts in the program are relative to: the size at its start."""
+        ...
+
+    def expression(self, terms: Terms) -> Any:
+        """What the solver makes least."""
+        ...

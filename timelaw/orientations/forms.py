@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from timelaw.numerics.array import Array
-from timelaw.problem.values import NORM_TOLERANCE
+from timelaw.problem.fields import NORM_TOLERANCE
 
 MATRIX_COLUMNS = tuple(f"r{i}{j}" for i in "123" for j in "123")
 

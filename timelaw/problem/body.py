@@ -6,7 +6,7 @@ import numpy as np
 from pydantic import BeforeValidator
 
 from timelaw.numerics.array import Array
-from timelaw.problem.values import Model, fault, read_quantity
+from timelaw.problem.fields import Model, fault, read_quantity
 from timelaw.units import INERTIA, MOST
 
 SYMMETRY_TOLERANCE = 1e-9  # of the largest moment: the two halves of a matrix are typed alike

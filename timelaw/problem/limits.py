@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Self
 from pydantic import create_model, model_validator
 
 from timelaw.limits import LIMITS, Bounds
-from timelaw.problem.values import Model, bounds, fault
+from timelaw.problem.fields import Model, bounds, fault
 
 
 class LimitsModel(Model):

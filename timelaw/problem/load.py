@@ -8,10 +8,10 @@ from pydantic_core import ErrorDetails
 
 from timelaw.errors import Fault, InputError
 from timelaw.files import read_text
-from timelaw.problem.model import NAME, Problem
+from timelaw.problem.fields import nearest, quoted
+from timelaw.problem.problem import NAME, Problem
 from timelaw.problem.route import SEQUENCE
 from timelaw.problem.source import KeyPath, Source, read
-from timelaw.problem.values import nearest, quoted
 
 VERSION = 1
 

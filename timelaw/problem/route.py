@@ -5,7 +5,7 @@ from typing import Annotated, Any, Literal, Self, get_args
 
 from pydantic import BeforeValidator, Field, model_validator
 
-from timelaw.problem.values import NORM_TOLERANCE, Model, as_tuple, fault, quantity, tour_or_labels
+from timelaw.problem.fields import NORM_TOLERANCE, Model, as_tuple, fault, quantity, tour_or_labels
 from timelaw.units import ANGLE, MOST
 
 LatticeName = Literal["16-cell", "tesseract", "24-cell", "600-cell", "120-cell"]

@@ -14,12 +14,13 @@ from timelaw.certificate import NodeReport
 from timelaw.certificate.continuity import JUMP_TOLERANCE
 from timelaw.certificate.record import RECORD_TOLERANCE
 from timelaw.nlp.exchange import GAP
+from timelaw.objectives import OBJECTIVES
 from timelaw.pipeline import Design
-from timelaw.problem.goal import Goal
+from timelaw.problem.objective import Goal
 from timelaw.report.active_limits import list_active
 from timelaw.report.figures import figures
 from timelaw.report.summary import law_rows, run_rows
-from timelaw.time_law import physical_limit
+from timelaw.requirements.route_limit import limit_route
 from timelaw.tours.report import certificate
 
 PACKAGES = ("casadi", "numpy", "matplotlib")
@@ -60,10 +61,10 @@ def _context(design: Design, digest: str, pictures: dict[str, str]) -> dict[str,
         "arcs": list(zip(design.route.legs, design.optimised.law.legs, design.solution.timings, strict=True)),
         "best": rows[0],
         "objective": _objective(design.problem.objective),
-        "least": physical_limit(design.route, design.schedule),
+        "least": limit_route(design.route, design.requirements),
         "limits": [check.limit for check in design.optimised.certificate.limits],
         "runs": run_rows(design),
-        "runs_count": len(design.schedule.runs(design.route)),
+        "runs_count": len(design.requirements.runs(design.route)),
         "kinds": [_kinds(entry.certificate.continuity.nodes) for entry in design.laws],
         "rates": RATES,
         "scales": {
@@ -86,13 +87,13 @@ def _kinds(nodes: tuple[NodeReport, ...]) -> dict[str, float]:
 
 def _objective(goal: Goal) -> str:
     """The objective in words."""
-    if goal.minimise == "time":
-        return "least total time"
+    objective = OBJECTIVES[goal.minimise]
+    if not objective.takes:
+        return f"least {objective.words}"
     if goal.total_time is None:
         return f"least time plus {goal.weight:g} times {goal.minimise}, each relative to the least-time law"
     unit = "times the least time" if goal.total_time.relative else "s"
-    what = "used part of the limits" if goal.minimise == "peak" else goal.minimise
-    return f"least {what} in a total time of {goal.total_time.value:g} {unit}"
+    return f"least {objective.words} in a total time of {goal.total_time.value:g} {unit}"
 
 
 def _shown(value: float, unit: str) -> str:

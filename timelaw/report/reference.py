@@ -9,7 +9,7 @@ from pathlib import Path
 
 from timelaw.pipeline import Design, design
 from timelaw.report.summary import law_rows
-from timelaw.time_law import physical_limit
+from timelaw.requirements.route_limit import limit_route
 
 MARK = "reference results"
 HEADINGS = (
@@ -47,7 +47,7 @@ def _cells(design: Design) -> list[str]:
         f"{rows['quintic'].duration:.2f}",
         f"{stopping.duration:.2f}",
         f"**{best.duration:.2f}**",
-        f"{physical_limit(design.route, design.schedule):.2f}",
+        f"{limit_route(design.route, design.requirements):.2f}",
         f"{best.to_quintic:.3f}",
         f"{best.to_limit:.3f}",
     ]

@@ -5,13 +5,12 @@ from dataclasses import dataclass
 from typing import Any
 
 from timelaw.certificate.effort import measure_effort
-from timelaw.least_time.physical_limit import run_limit as run_limit
 from timelaw.limits import Demand
 from timelaw.nlp import Solution
-from timelaw.objectives import EFFORTS, effort_of
+from timelaw.objectives import EFFORTS
 from timelaw.pipeline import Certified, Design
-from timelaw.time_law import physical_limit, quintic
-from timelaw.time_law.baselines import chains
+from timelaw.requirements.route_limit import limit_route
+from timelaw.time_law.baselines import time_quintic
 
 
 @dataclass(frozen=True)
@@ -49,8 +48,8 @@ class RunRow:
 
 def law_rows(design: Design) -> list[LawRow]:
     """The optimised law first, then the baselines."""
-    slowest = quintic(design.schedule).duration
-    least = physical_limit(design.route, design.schedule)
+    slowest = time_quintic(design.requirements).duration
+    least = limit_route(design.route, design.requirements)
     return [_row(entry, slowest, least) for entry in design.laws]
 
 
@@ -70,14 +69,14 @@ def _row(entry: Certified, slowest: float, least: float) -> LawRow:
 
 def run_rows(design: Design) -> list[RunRow]:
     """The distinct runs, in the order in which the route meets them; or all of them as one, if solved so."""
-    runs = chains(design.route, design.schedule)
+    runs = design.requirements.by_run(design.route)
     if len(design.solution.solutions[0].timings) == len(design.route.legs):
-        least = sum(run_limit(demands) for demands in runs)
-        return [_run_row(1, design.schedule.demands, least, design.solution.solutions[0])]
+        least = sum(run.limit for run in runs)
+        return [_run_row(1, design.requirements.demands, least, design.solution.solutions[0])]
     rows = []
     for index, solution in enumerate(design.solution.solutions):
         alike = [run for run, i in zip(runs, design.solution.of_run, strict=True) if i == index]
-        rows.append(_run_row(len(alike), alike[0], run_limit(alike[0]), solution))
+        rows.append(_run_row(len(alike), alike[0].legs, alike[0].limit, solution))
     return rows
 
 
@@ -97,5 +96,9 @@ def _run_row(count: int, demands: Sequence[Demand], least: float, solution: Solu
 
 def efforts(design: Design) -> dict[str, float]:
     """∫ of each effort over the optimised law, those that need the inertia only where it is known."""
-    known = [name for name in EFFORTS if name != "torque" or design.schedule.inertia is not None]
-    return {name: effort_of(name, design.schedule.demands, design.solution.timings) for name in known}
+    known = design.requirements.inertia is not None
+    return {
+        name: EFFORTS[name].measure(design.requirements.demands, design.solution.timings)
+        for name in sorted(EFFORTS)
+        if known or not EFFORTS[name].needs_inertia
+    }

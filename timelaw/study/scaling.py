@@ -14,10 +14,11 @@ import numpy as np
 
 from timelaw.easing.family import PolynomialFamily
 from timelaw.limits import Demand, drop_implied, list_rows, make_limits
-from timelaw.nlp.couple import Deadline, couple
-from timelaw.nlp.optimise import least_time
-from timelaw.nlp.program import Budget, RunProblem, total
-from timelaw.problem.goal import Goal, TotalTime
+from timelaw.nlp import Budget, RunProblem
+from timelaw.nlp.all_runs import Deadline, solve_together
+from timelaw.nlp.single_runs import solve_runs
+from timelaw.nlp.solution import total
+from timelaw.problem.objective import Goal, TotalTime
 
 NODES = (30, 100, 300)
 DEGREES = (7, 9, 13, 21)
@@ -31,11 +32,11 @@ def measure(legs: int, degree: int) -> tuple[float, float]:
     family = PolynomialFamily(degree, 2)
     runs = [RunProblem((Demand(float(a), rows),), family) for a in np.linspace(0.3, 2.0, legs)]
     start = time.perf_counter()
-    least = least_time(runs).timings
+    least = solve_runs(runs).timings
     middle = time.perf_counter()
     given = FACTOR * total(least)
     goal = Goal(minimise="jerk", total_time=TotalTime(given))
-    couple(runs, least, goal, [Deadline(Budget(legs, given), "", "the end", 0.0)])
+    solve_together(runs, least, goal, [Deadline(Budget(legs, given), "", "the end", 0.0)])
     return middle - start, time.perf_counter() - middle
 
 

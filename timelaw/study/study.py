@@ -13,9 +13,10 @@ from pydantic import BeforeValidator, Field, ValidationError
 
 from timelaw.errors import InputError
 from timelaw.files import read_text
+from timelaw.objectives import EFFORTS
+from timelaw.problem.fields import Model, fault, one_of
 from timelaw.problem.load import translate
 from timelaw.problem.source import Source, read
-from timelaw.problem.values import Model, fault
 
 MOST_DESIGNS = 10_000
 WITH_UNIT = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*$")
@@ -47,7 +48,7 @@ class StudyModel(Model):
     name: Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]*$", max_length=100)]
     problem: str
     vary: Annotated[dict[str, Annotated[tuple[Any, ...], BeforeValidator(_values)]], Field(min_length=1)]
-    effort: Literal["jerk", "energy", "snap", "torque"] = "jerk"
+    effort: Annotated[str, one_of(EFFORTS)] = "jerk"
 
 
 @dataclass(frozen=True)

@@ -7,10 +7,12 @@ from itertools import accumulate
 from timelaw.easing import Timing
 from timelaw.easing.time_scaling import used_fraction
 from timelaw.errors import Fault, InfeasibleError
-from timelaw.nlp.program import Budget, Program, RunProblem, Solution, Status, total
-from timelaw.problem.goal import Goal
+from timelaw.nlp.program import LEAST_PEAK, Budget, Program, RunProblem
+from timelaw.nlp.solution import Solution, Status, total
+from timelaw.objectives import OBJECTIVES
+from timelaw.problem.objective import Goal
+from timelaw.requirements import Requirements
 from timelaw.route import Route
-from timelaw.schedule import Schedule
 
 LEAST_FACTOR = 0.2  # of the least-time law; a start far beyond the limits helps nobody
 AT_MINIMUM = 1e-5  # relative; so close to the least time there is no room but for the least-time law
@@ -26,24 +28,24 @@ class Deadline:
     dwells: float
 
 
-def deadlines(route: Route, schedule: Schedule, goal: Goal, least: float) -> list[Deadline]:
+def list_deadlines(route: Route, requirements: Requirements, goal: Goal, least: float) -> list[Deadline]:
     """Arrival times and the total time as times of legs alone, in the order of the route.
 
     `least` is the least total time, dwells included.
     """
     found = []
-    for node, time in sorted(schedule.arrivals.items()):
-        waited, label = sum(schedule.dwells[:node]), route.nodes[node].label
+    for node, time in sorted(requirements.arrivals.items()):
+        waited, label = sum(requirements.dwells[:node]), route.nodes[node].label
         where, what = f"nodes.at.{label}.time", f"arrival at {label}"
         found.append(Deadline(Budget(node, time - waited), where, what, waited))
     if goal.total_time is not None:
         time = goal.total_time.seconds(least)
-        budget = Budget(len(route.legs), time - schedule.dwell_time)
-        found.append(Deadline(budget, "objective.total_time", "the end", schedule.dwell_time))
+        budget = Budget(len(route.legs), time - requirements.dwell_time)
+        found.append(Deadline(budget, "objective.total_time", "the end", requirements.dwell_time))
     return found
 
 
-def couple(
+def solve_together(
     runs: Sequence[RunProblem], least: Sequence[Timing], goal: Goal, given: Sequence[Deadline]
 ) -> Solution:
     """Solve all runs as one program, from the least-time law stretched to the given times.
@@ -54,8 +56,8 @@ def couple(
     from timelaw.nlp.exchange import solve_from
 
     budgets = tuple(deadline.budget for deadline in given)
-    program = Program(tuple(runs), goal.minimise, goal.weight, budgets)
-    start = stretched_to(runs, least, given)
+    program = Program(tuple(runs), OBJECTIVES[goal.minimise], goal.weight, budgets)
+    start = stretch_to(runs, least, given)
     elastic = all(run.elastic for run in runs)
     whole = len(budgets) == 1 and budgets[0].legs == len(least)
     if elastic and whole and total(start) <= total(least) * (1 + AT_MINIMUM):
@@ -63,7 +65,7 @@ def couple(
     solution = solve_from(program, start)
     if solution is not None and _holds(program, solution):
         return _on_time(runs, solution, budgets)
-    peak = solve_from(replace(program, objective="peak", weight=None), start)
+    peak = solve_from(replace(program, objective=LEAST_PEAK, weight=None), start)
     if elastic and used_fraction(program.demands, start) <= 1 and (peak is None or not _holds(program, peak)):
         return Solution(start, Status.STRETCHED)
     if peak is None:
@@ -81,13 +83,13 @@ def couple(
 def _holds(program: Program, solution: Solution) -> bool:
     """Whether the limits hold, proved; what makes the used part least may find it above 1."""
     used = used_fraction(program.demands, solution.timings)
-    if program.objective == "peak" and used > 1 + AT_MINIMUM:
+    if program.objective.scales_limits and used > 1 + AT_MINIMUM:
         message = f"within the given times the limits would have to be {used:.6g} times as large"
         raise InfeasibleError(Fault(message, "objective.total_time"))
-    return used <= 1 or program.objective == "peak"
+    return used <= 1 or program.objective.scales_limits
 
 
-def stretched_to(
+def stretch_to(
     runs: Sequence[RunProblem], least: Sequence[Timing], given: Sequence[Deadline]
 ) -> tuple[Timing, ...]:
     """The least-time law, each part between two given times stretched by a factor of its own.

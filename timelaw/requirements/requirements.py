@@ -1,20 +1,21 @@
 """Resolve what the problem file says about legs and nodes, by label, onto a route."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from timelaw.errors import Fault, InputError, list_some
 from timelaw.limits import Bounds, Demand, drop_implied, list_rows, make_limits
 from timelaw.limits.torque import square_torque
 from timelaw.numerics.array import Array
-from timelaw.problem.model import Problem
+from timelaw.problem.nodes import NodeRule, SegmentRule
+from timelaw.problem.problem import Problem
 from timelaw.problem.route import SEARCHED
-from timelaw.problem.rules import NodeRule, SegmentRule
+from timelaw.requirements.run_demand import RunDemand
 from timelaw.route import Route, Run
 
 
 @dataclass(frozen=True)
-class Schedule:
+class Requirements:
     """Demands per leg; per node (one more than legs) dwells [s], stops and arrival times [s].
 
     `start` and `end` are the rates φ', φ'', … outside the motion, about the first and last leg's
@@ -40,8 +41,18 @@ class Schedule:
         """The route cut at corners, forced stops and dwells."""
         return route.runs(self.stops)
 
+    def by_run(self, route: Route, *, stop: bool = False) -> list[RunDemand]:
+        """The demands run by run, or with `stop` leg by leg, and how the motion begins and ends."""
+        if stop:
+            runs = [RunDemand((demand,)) for demand in self.demands]
+        else:
+            runs = [RunDemand(tuple(self.demands[k] for k in run.legs)) for run in self.runs(route)]
+        runs[0] = replace(runs[0], start=self.start)
+        runs[-1] = replace(runs[-1], end=self.end)
+        return runs
 
-def schedule(problem: Problem, route: Route) -> Schedule:
+
+def resolve_requirements(problem: Problem, route: Route) -> Requirements:
     """What the problem demands, leg by leg and node by node.
 
     Raises:
@@ -64,7 +75,7 @@ def schedule(problem: Problem, route: Route) -> Schedule:
     dwells = _dwells(problem, route, rules)
     stops = {i for i, rule in rules.items() if rule.stop} | {i for i, d in enumerate(dwells) if d > 0}
     arrivals: dict[int, float] = {i: rule.time for i, rule in rules.items() if rule.time is not None}
-    return Schedule(
+    return Requirements(
         tuple(demands),
         dwells,
         frozenset(stops),

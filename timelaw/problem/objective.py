@@ -1,14 +1,14 @@
 """The part of a problem file about the objective: least time, or something else in a time that is given."""
 
 from dataclasses import dataclass
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Any, Self
 
 from pydantic import BeforeValidator, Field, WithJsonSchema, model_validator
 
-from timelaw.problem.values import Model, fault, quoted, read_quantity
+from timelaw.objectives import OBJECTIVES
+from timelaw.problem.fields import Model, fault, one_of, quoted, read_quantity
 from timelaw.units import MOST, TIME
 
-Quantity = Literal["time", "jerk", "energy", "torque", "snap", "peak"]
 RELATIVE = " x minimum"
 
 
@@ -46,7 +46,7 @@ class Goal(Model):
     least-time law, so that c compares relative changes.
     """
 
-    minimise: Quantity = "time"
+    minimise: Annotated[str, one_of(OBJECTIVES)] = "time"
     total_time: Annotated[
         TotalTime | None,
         BeforeValidator(_total_time),
@@ -57,14 +57,17 @@ class Goal(Model):
     @model_validator(mode="after")
     def _consistent(self) -> Self:
         given = [name for name in ("total_time", "weight") if getattr(self, name) is not None]
-        if self.minimise == "time" and given:
-            raise fault(
-                f"least time leaves no room for {given[0]}; minimise jerk, energy, torque, snap or peak"
-            )
-        if self.minimise == "peak" and self.weight is not None:
-            raise fault("peak is made least in a given total_time, not against a weight")
-        if self.minimise != "time" and len(given) != 1:
-            raise fault(f'to minimise {self.minimise}, give either "total_time" or "weight"')
+        takes = OBJECTIVES[self.minimise].takes
+        if not takes and given:
+            *others, last = [name for name, objective in OBJECTIVES.items() if objective.takes]
+            listing = f"{', '.join(others)} or {last}"
+            raise fault(f"least {self.minimise} leaves no room for {given[0]}; minimise {listing}")
+        if any(key not in takes for key in given):
+            raise fault(f"{self.minimise} is made least in a given total_time, not against a weight")
+        if takes and len(given) != 1:
+            keys = " or ".join(f'"{key}"' for key in takes)
+            either = "either " if len(takes) > 1 else ""
+            raise fault(f"to minimise {self.minimise}, give {either}{keys}")
         return self
 
 

@@ -5,48 +5,45 @@ from typing import Annotated, Literal, Self
 import numpy as np
 from pydantic import BeforeValidator, Field, model_validator
 
+from timelaw.easing.registry import BASES, MAX_DEGREE, BasisKind
 from timelaw.limits import LIMITS
 from timelaw.numerics.array import Array
+from timelaw.objectives import OBJECTIVES
 from timelaw.problem.body import Body
-from timelaw.problem.goal import Goal, read_goal
+from timelaw.problem.fields import Model, as_tuple, fault, fraction, one_of, quantity
 from timelaw.problem.limits import Limits
+from timelaw.problem.nodes import Nodes, SegmentRule
+from timelaw.problem.objective import Goal, read_goal
 from timelaw.problem.route import RouteModel
-from timelaw.problem.rules import Nodes, SegmentRule
-from timelaw.problem.values import Model, as_tuple, fault, fraction, quantity
 from timelaw.units import FREQUENCY
 
 Baseline = Literal["quintic", "double-s"]
-MAX_DEGREE = 31
 MAX_INTERVALS = 500
-DEGREES = {"polynomial": (5, MAX_DEGREE), "spline": (3, 7)}
-EASING_KEYS = {
-    "polynomial": ("degree",),
-    "spline": ("degree", "intervals"),
-    "double-s": (),
-    "auto": ("within",),
-}
 NAME = r"^[A-Za-z0-9][A-Za-z0-9._-]*$"
-NEEDS_CONTINUITY = {"jerk": 2, "snap": 3}  # where a rate jumps, the next one cannot be bounded
 
 
 class EasingModel(Model):
     """The function family of the easing f(τ) on a leg; `auto` looks for the least that comes `within`."""
 
-    basis: Literal["polynomial", "spline", "double-s", "auto"] = "polynomial"
+    basis: Annotated[str, one_of(BASES)] = "polynomial"
     degree: Annotated[int, Field(ge=3, le=MAX_DEGREE)] | None = None
     intervals: Annotated[int, Field(ge=1, le=MAX_INTERVALS)] | None = None
     within: Annotated[float | None, fraction()] = None
 
+    @property
+    def kind(self) -> BasisKind:
+        """What the basis is."""
+        return BASES[self.basis]
+
     @model_validator(mode="after")
     def _suit_the_basis(self) -> Self:
         for key in ("degree", "intervals", "within"):
-            if getattr(self, key) is not None and key not in EASING_KEYS[self.basis]:
-                fitting = [basis for basis, keys in EASING_KEYS.items() if key in keys]
+            if getattr(self, key) is not None and key not in self.kind.keys:
+                fitting = [basis for basis, kind in BASES.items() if key in kind.keys]
                 raise fault(f"{key} belongs to the basis {' or '.join(fitting)}, not to {self.basis}", key)
-        if self.degree is not None and self.basis in DEGREES:
-            least, most = DEGREES[self.basis]
-            if not least <= self.degree <= most:
-                raise fault(f"{self.degree}; a {self.basis} has a degree of {least} to {most}", "degree")
+        least, most = self.kind.degrees
+        if self.degree is not None and not least <= self.degree <= most:
+            raise fault(f"{self.degree}; a {self.basis} has a degree of {least} to {most}", "degree")
         return self
 
 
@@ -74,7 +71,7 @@ class Problem(Model):
     @model_validator(mode="after")
     def _degree_carries_continuity(self) -> Self:
         r, degree = self.nodes.continuity, self.easing.degree
-        least = r + 1 if self.easing.basis == "spline" else 2 * r + 1
+        least = self.easing.kind.least_degree(r)
         if degree is not None and degree < least:
             raise fault(
                 f"{degree}; continuity {r} at the nodes needs degree {least} or more", "easing", "degree"
@@ -83,11 +80,12 @@ class Problem(Model):
 
     @model_validator(mode="after")
     def _double_s_is_rigid(self) -> Self:
-        if self.easing.basis != "double-s":
+        if not self.easing.kind.rigid:
             return self
         times = any(rule.time is not None for rule in self.nodes.at.values())
         durations = any(rule.duration is not None for rule in self.segments.values())
-        if self.objective.minimise != "time" or times or durations or self.nodes.start or self.nodes.end:
+        apart = OBJECTIVES[self.objective.minimise].separable
+        if not apart or times or durations or self.nodes.start or self.nodes.end:
             raise fault(
                 "a double-s has the least time from rest to rest; it keeps no given times", "easing", "basis"
             )
@@ -102,13 +100,13 @@ class Problem(Model):
     @model_validator(mode="after")
     def _effort_is_finite(self) -> Self:
         what, r, degree = self.objective.minimise, self.nodes.continuity, self.easing.degree
-        least = NEEDS_CONTINUITY.get(what, 1)
+        least = OBJECTIVES[what].continuity
         if r < least:
             message = f"to minimise {what}, continuity {least} at the nodes is needed, not {r}"
             raise fault(message, "objective", "minimise")
-        if self.easing.basis == "spline" and degree is not None and degree <= least:
-            message = f"to minimise {what}, a spline of degree {least + 1} or more is needed, not {degree}"
-            raise fault(message, "objective", "minimise")
+        if self.easing.kind.pieces and degree is not None and degree <= least:
+            needed = f"a {self.easing.basis} of degree {least + 1} or more is needed, not {degree}"
+            raise fault(f"to minimise {what}, {needed}", "objective", "minimise")
         return self
 
     @model_validator(mode="after")
@@ -141,8 +139,9 @@ class Problem(Model):
                         *where,
                         name,
                     )
-        if self.objective.minimise == "torque" and self.body is None:
-            raise fault('to minimise torque, "body: {inertia: …}" is needed', "objective", "minimise")
+        minimise = self.objective.minimise
+        if OBJECTIVES[minimise].needs_inertia and self.body is None:
+            raise fault(f'to minimise {minimise}, "body: {{inertia: …}}" is needed', "objective", "minimise")
         return self
 
     def inertia(self) -> Array | None:

@@ -89,6 +89,31 @@ def fraction() -> Reader:
     return Reader(check, Kind("a part of a whole", (0, 0, 0, 0), "1 %", "1"))
 
 
+@dataclass(frozen=True)
+class Choice:
+    """Metadata of a field that names an entry of a registry."""
+
+    names: tuple[str, ...]
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: Any) -> Any:
+        """One of the names."""
+        return core_schema.no_info_before_validator_function(self._check, handler(source))
+
+    def _check(self, value: Any) -> Any:
+        if value not in self.names:
+            raise fault(f"{quoted(value)}; allowed: {nearest(value, self.names)}")
+        return value
+
+    def __get_pydantic_json_schema__(self, *_: Any) -> dict[str, Any]:
+        """An enumeration."""
+        return {"type": "string", "enum": list(self.names)}
+
+
+def one_of(registry: Iterable[str]) -> Choice:
+    """For a field that names an entry of a registry."""
+    return Choice(tuple(registry))
+
+
 def bounds(kind: Kind) -> Reader:
     """For a field that holds a bound on a norm, or a list of three for the body axes."""
 

@@ -4,8 +4,8 @@ from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
+from timelaw.problem.fields import Model, fault, quantity
 from timelaw.problem.limits import Limits
-from timelaw.problem.values import Model, fault, quantity
 from timelaw.units import ANGULAR_ACCELERATION, ANGULAR_JERK, ANGULAR_VELOCITY, MOST, TIME
 
 DWELL = quantity(TIME, 0.0)

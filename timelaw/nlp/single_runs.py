@@ -1,46 +1,19 @@
 """Solve every distinct run of a route once, falling back where the solver fails."""
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Sequence
+from dataclasses import replace
 
 from timelaw.easing import Timing, smoothstep
-from timelaw.easing.family import DoubleSFamily, Family, PolynomialFamily
 from timelaw.easing.time_scaling import used_fraction
 from timelaw.errors import Fault, InfeasibleError
-from timelaw.least_time.physical_limit import run_limit
-from timelaw.nlp.couple import couple, deadlines
-from timelaw.nlp.program import Program, RunProblem, Solution, Status, total
-from timelaw.problem.goal import Goal
+from timelaw.nlp.program import LEAST_PEAK, Program, RunProblem
+from timelaw.nlp.solution import Solution, Status, Timings
 from timelaw.progress import Progress
-from timelaw.route import Route
-from timelaw.schedule import Schedule
 
 SAME_TIME = 2e-6  # relative: the gap that the solver is left with, and where the closed form is the optimum
-SAME_DURATION = 1e-9
 
 
-@dataclass(frozen=True)
-class Optimised:
-    """Timings of all legs, the solutions behind them, and which of these each run of the route uses.
-
-    A coupled problem has one solution for all runs.
-    """
-
-    timings: tuple[Timing, ...]
-    solutions: tuple[Solution, ...]
-    of_run: tuple[int, ...]
-
-
-def run_problems(route: Route, schedule: Schedule, family: Family) -> list[RunProblem]:
-    """The runs of a route with what is demanded on them."""
-    runs = schedule.runs(route)
-    problems = [RunProblem(tuple(schedule.demands[k] for k in run.legs), family) for run in runs]
-    problems[0] = replace(problems[0], start=schedule.start)
-    problems[-1] = replace(problems[-1], end=schedule.end)
-    return problems
-
-
-def least_time(problems: Sequence[RunProblem], progress: Progress | None = None) -> Optimised:
+def solve_runs(problems: Sequence[RunProblem], progress: Progress | None = None) -> Timings:
     """Least-time solutions of all runs; `progress` hears of distinct runs solved, and how many there are."""
     keys = [problem.key() for problem in problems]
     distinct = list(dict.fromkeys(keys))
@@ -51,7 +24,7 @@ def least_time(problems: Sequence[RunProblem], progress: Progress | None = None)
         solutions.append(solve_run(problems[keys.index(key)]))
     of_run = tuple(distinct.index(key) for key in keys)
     timings = tuple(timing for index in of_run for timing in solutions[index].timings)
-    return Optimised(timings, tuple(solutions), of_run)
+    return Timings(timings, tuple(solutions), of_run)
 
 
 def solve_run(problem: RunProblem) -> Solution:
@@ -67,10 +40,10 @@ def solve_run(problem: RunProblem) -> Solution:
 
     program = Program((problem,))
     whole = problem.family.closed_form(problem.demands)
-    if isinstance(problem.family, DoubleSFamily):
+    if problem.family.rigid:
         return Solution(whole, Status.CHOSEN)
     fallback = Solution(whole, Status.CLOSED_FORM)
-    if problem.elastic and fallback.duration <= run_limit(problem.demands) * (1 + SAME_TIME):
+    if problem.elastic and fallback.duration <= problem.run.limit * (1 + SAME_TIME):
         return replace(fallback, status=Status.PHYSICAL_LIMIT)
     if problem.elastic and not problem.bases[0].free and len(problem.demands) == 1:
         return replace(fallback, status=Status.OPTIMAL)
@@ -94,7 +67,7 @@ def _from_simpler(problem: RunProblem, program: Program) -> Solution | None:
     """From the solution of a simpler family, which this one contains; that itself if it gets no better."""
     from timelaw.nlp.exchange import solve_from
 
-    simpler = problem.family.simpler() if isinstance(problem.family, PolynomialFamily) else None
+    simpler = problem.family.simpler()
     if simpler is None:
         return None
     known = solve_run(replace(problem, family=simpler))
@@ -110,7 +83,7 @@ def _why(program: Program, start: tuple[Timing, ...]) -> Fault:
     """By how much the limits would have to give for the durations and end rates that are given."""
     from timelaw.nlp.exchange import solve_from
 
-    peak = solve_from(replace(program, objective="peak"), start)
+    peak = solve_from(replace(program, objective=LEAST_PEAK), start)
     what = "within the given durations and end rates of a run"
     if peak is None:
         return Fault(f"{what} the solver found no law; give more time or another degree", "segments")
@@ -129,65 +102,3 @@ def _second_start(problem: RunProblem) -> list[Timing]:
     """Smoothsteps that stop at each node, in twice their least time: deep inside the limits."""
     stops = [smoothstep.time_leg(demand, problem.family.continuity) for demand in problem.demands]
     return [timing.stretched(2.0) for timing in stops]
-
-
-def optimise(
-    route: Route,
-    schedule: Schedule,
-    families: Iterable[Family],
-    within: float,
-    goal: Goal,
-    progress: Progress | None = None,
-) -> tuple[Family, Optimised]:
-    """The law that makes the objective least on a route under a schedule, and the family it is of.
-
-    Of several families the first is taken whose least time comes `within` that part of the
-    physical limit, or else the fastest.
-
-    Raises:
-        InfeasibleError: the schedule cannot be met.
-    """
-    family, least = _least_within(route, schedule, families, within, progress)
-    runs = run_problems(route, schedule, family)
-    given = deadlines(route, schedule, goal, total(least.timings) + schedule.dwell_time)
-    if goal.minimise == "time" and not given:
-        _check_durations(schedule, least.timings)
-        return family, least
-    if progress is not None:
-        progress("solving all runs together", len(least.solutions), len(least.solutions) + 1)
-    solution = couple(runs, least.timings, goal, given)
-    _check_durations(schedule, solution.timings)
-    return family, Optimised(solution.timings, (solution,), (0,) * len(runs))
-
-
-def _check_durations(schedule: Schedule, timings: Sequence[Timing]) -> None:
-    """Fixed durations are kept, whatever solved the program."""
-    for demand, timing in zip(schedule.demands, timings, strict=True):
-        if demand.duration is not None and abs(timing.duration / demand.duration - 1) > SAME_DURATION:
-            message = f"{timing.duration:.9g} s came out where {demand.duration:.9g} s are fixed"
-            raise InfeasibleError(Fault(message, "segments"))
-
-
-def _least_within(
-    route: Route,
-    schedule: Schedule,
-    families: Iterable[Family],
-    within: float,
-    progress: Progress | None,
-) -> tuple[Family, Optimised]:
-    """The first family whose least time is near enough to the physical limit, or the fastest one."""
-    limit = 0.0
-    runs = schedule.runs(route)
-    for index, run in enumerate(runs):
-        moving = (index == 0 and any(schedule.start)) or (index == len(runs) - 1 and any(schedule.end))
-        limit += run_limit([schedule.demands[k] for k in run.legs], moving=moving)
-    best: tuple[Family, Optimised] | None = None
-    for family in families:
-        least = least_time(run_problems(route, schedule, family), progress)
-        if best is None or total(least.timings) < total(best[1].timings):
-            best = family, least
-        if total(best[1].timings) <= limit * (1 + within):
-            break
-    if best is None:
-        raise ValueError("no family of easings was given")
-    return best

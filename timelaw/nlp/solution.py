@@ -1,0 +1,74 @@
+"""What comes back from the solver, in this program's own words."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import Enum
+
+from timelaw.easing import Timing
+
+
+class Status(Enum):
+    """How a program was solved; the text says what to do about it."""
+
+    OPTIMAL = "solved to optimality"
+    CHOSEN = "the double-S profile, as chosen"
+    PHYSICAL_LIMIT = "the double-S profile, which the easing contains and no law beats"
+    SECOND_START = "solved to optimality from the second start"
+    SIMPLER = "solved from the solution of a simpler easing, after other starts failed"
+    ROUNDS = (
+        "the rounds ran out before the last excess over the limits was small: the law holds its limits, but "
+        "may be slower than need be by as much as the gap says; try another easing"
+    )
+    STRETCHED = (
+        "the solver failed on the objective: the least-time law, stretched to the given times, is used; "
+        "try another easing"
+    )
+    ACCEPTABLE = (
+        "solved to the solver's acceptable tolerance only; the law holds its limits, but may not be least"
+    )
+    LEAST_PEAK = (
+        "the solver failed on the objective: the law that uses the least part of the limits is used; "
+        "try another easing degree or more time"
+    )
+    CLOSED_FORM = (
+        "the solver failed from every start: the best law in closed form is used; try another easing"
+    )
+
+
+@dataclass(frozen=True)
+class Solution:
+    """Timings of the legs that hold the limits, and how they were found.
+
+    `rounds` counts solutions of the nonlinear program: after each, the extrema that exceed a
+    limit are demanded too. `gap` is what those cost at the end, relative in time for least time,
+    else in the part of the limits that is used.
+    """
+
+    timings: tuple[Timing, ...]
+    status: Status
+    iterations: int = 0
+    rounds: int = 0
+    gap: float = 0.0
+    rows: int = 0
+
+    @property
+    def duration(self) -> float:
+        """Total time of the legs [s]."""
+        return total(self.timings)
+
+
+@dataclass(frozen=True)
+class Timings:
+    """Timings of all legs, the solutions behind them, and which of these each run of the route uses.
+
+    A coupled problem has one solution for all runs.
+    """
+
+    timings: tuple[Timing, ...]
+    solutions: tuple[Solution, ...]
+    of_run: tuple[int, ...]
+
+
+def total(timings: Sequence[Timing]) -> float:
+    """Σ T_k [s]."""
+    return sum(timing.duration for timing in timings)
