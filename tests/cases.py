@@ -8,7 +8,7 @@ import numpy as np
 from timelaw import design
 from timelaw.limits import Demand, drop_implied, list_rows, make_limits
 from timelaw.limits.torque import square_torque
-from timelaw.problem import parse
+from timelaw.problem import parse_problem
 
 PROBLEMS = Path(__file__).parent.parent / "problems"
 
@@ -30,7 +30,7 @@ def problem(text: str):
     missing = [
         line for key, line in defaults.items() if not any(part.startswith(key) for part in text.splitlines())
     ]
-    return parse("\n".join([*missing, text]), "test.yaml")
+    return parse_problem("\n".join([*missing, text]), "test.yaml")
 
 
 def random_limits(rng: np.random.Generator) -> dict[str, float]:

@@ -3,6 +3,7 @@
 import ast
 import subprocess
 import sys
+from graphlib import TopologicalSorter
 from pathlib import Path
 
 import pytest
@@ -18,7 +19,7 @@ vocabulary:  limits least_time easing objectives
 law wing:    motion law_file certificate
 design wing: problem orientations tours route requirements nlp time_law
 meeting:     compose pipeline
-showing:     report export study cli
+showing:     report export study reproduce cli
 """
 WINGS = {wing: rooms.split() for wing, rooms in (line.split(":") for line in PLAN.strip().splitlines())}
 SENTENCE = [room for rooms in WINGS.values() for room in rooms]
@@ -71,6 +72,34 @@ def test_modules_say_what_they_are_for_and_stay_small(path):
     tree = ast.parse(path.read_text())
     assert ast.get_docstring(tree)
     assert len(path.read_text().splitlines()) <= 250
+
+
+def module_name(path: Path) -> str:
+    name = ".".join(("timelaw", *path.relative_to(ROOT).with_suffix("").parts))
+    return name.removesuffix(".__init__")
+
+
+def test_no_module_needs_itself_to_be_loaded():
+    """The graph of imports at module level, that of a package's face included, has no circle."""
+    names = {module_name(p): p for p in ROOT.rglob("*.py")}
+    needs = {}
+    for name, path in names.items():
+        found = set()
+        for node in ast.parse(path.read_text()).body:
+            if isinstance(node, ast.ImportFrom) and node.module and node.module.startswith("timelaw"):
+                for alias in node.names:
+                    inner = f"{node.module}.{alias.name}"
+                    found.add(inner if inner in names else node.module)
+        rooms = {name.rsplit(".", depth)[0] for name in found for depth in range(1, name.count("."))}
+        needs[name] = {n for n in found | rooms if n != name and not f"{name}.".startswith(f"{n}.")}
+    TopologicalSorter(needs).prepare()
+
+
+def test_no_function_has_the_name_of_its_module():
+    """`import timelaw.route.route` gives a module, and a reader can tell a module from a function."""
+    for path in modules():
+        for node in ast.parse(path.read_text()).body:
+            assert not (isinstance(node, ast.FunctionDef) and node.name == path.stem), path
 
 
 def loaded(code: str) -> set[str]:

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from tests.oracles import extremum
 from timelaw.numerics import bernstein as bern
-from timelaw.numerics.extrema import peaks
+from timelaw.numerics.extrema import enclose_polynomials
 
 control_points = st.lists(st.floats(-10, 10), min_size=1, max_size=12).map(np.array)
 
@@ -51,7 +51,7 @@ def test_elevation_and_splitting_leave_the_polynomial_alone(control, u):
 
 @given(control_points, st.integers(1, 3))
 def test_the_rounding_bound_covers_the_rounding(control, order):
-    bound = bern.derivative_rounding(control, order)
+    bound = bern.bound_rounding(control, order)
     computed = bern.differentiate(control, order)
     true = [Fraction(float(c)) for c in control]
     for _ in range(order):
@@ -61,7 +61,7 @@ def test_the_rounding_bound_covers_the_rounding(control, order):
 
 
 def test_the_rounding_bound_is_not_trivial():
-    assert 0 < bern.derivative_rounding(np.linspace(0, 1, 10) ** 2, 3) < 1e-11
+    assert 0 < bern.bound_rounding(np.linspace(0, 1, 10) ** 2, 3) < 1e-11
 
 
 @pytest.mark.parametrize("degree", [5, 9, 31])
@@ -86,7 +86,7 @@ def test_the_integral_of_the_square_is_exact(control):
 
 @given(st.lists(st.floats(-10, 10).map(lambda x: round(x, 3)), min_size=1, max_size=10).map(np.array))
 def test_peaks_enclose_the_extremum_that_the_roots_give(control):
-    peak = peaks([control])[0]
+    peak = enclose_polynomials([control])[0]
     expected = extremum(np.array([float(c) for c in to_power(control)]))
     assert peak.lower <= peak.upper <= peak.lower * (1 + 1e-12) + 1e-300
     assert peak.lower == pytest.approx(expected, rel=1e-9, abs=1e-12)
@@ -96,7 +96,7 @@ def test_peaks_enclose_the_extremum_that_the_roots_give(control):
 def test_peaks_of_high_degree_ripples_and_of_many_at_once():
     rng = np.random.default_rng(1)
     stack = [rng.normal(size=n) for n in (1, 2, 4, 32, 32, 4, 1)]
-    for control, peak in zip(stack, peaks(stack), strict=True):
+    for control, peak in zip(stack, enclose_polynomials(stack), strict=True):
         u = np.linspace(0, 1, 20001)
         sampled = np.max(np.abs(bern.evaluate(control, u)))
         assert sampled <= peak.upper
@@ -106,7 +106,7 @@ def test_peaks_of_high_degree_ripples_and_of_many_at_once():
 def test_the_peak_of_a_basis_polynomial_is_where_calculus_puts_it():
     control = np.zeros(32)
     control[17] = 1.0  # b_17 of degree 31 peaks at 17/31
-    peak = peaks([control])[0]
+    peak = enclose_polynomials([control])[0]
     assert peak.at == pytest.approx(17 / 31, abs=1e-6)
     assert peak.lower == pytest.approx(comb(31, 17) * (17 / 31) ** 17 * (14 / 31) ** 14, rel=1e-12)
 
@@ -130,7 +130,7 @@ def chebyshev_control(degree):
 def test_bounds_are_proved_also_where_control_points_are_wild(degree):
     """T_n has control points of up to 1e10 and more, whose rounding moves the extremum off 1."""
     control = np.array([float(c) for c in chebyshev_control(degree)])
-    peak = peaks([control])[0]
+    peak = enclose_polynomials([control])[0]
     tops = [Fraction(i, 4096) for i in range(4097)]
     basis = [
         [comb(degree, i) * t**i * (1 - t) ** (degree - i) for i in range(degree + 1)] for t in tops[::64]
@@ -146,7 +146,7 @@ def test_nothing_that_is_not_finite_has_a_finite_peak():
         for place in range(4):
             control = np.array([0.5, 0.1, 0.2, 0.3])
             control[place] = wrong
-            assert peaks([control])[0].upper == np.inf
+            assert enclose_polynomials([control])[0].upper == np.inf
 
 
 def test_subnormal_and_constant_polynomials_end():
@@ -154,5 +154,5 @@ def test_subnormal_and_constant_polynomials_end():
     stack = [rng.uniform(0.9, 1.2, 7) * 1e-321 for _ in range(50)] + [
         np.full(32, 0.1) + rng.normal(size=32) * 1e-16
     ]
-    found = peaks(stack)
+    found = enclose_polynomials(stack)
     assert all(peak.upper >= np.max(np.abs(c[[0, -1]])) for peak, c in zip(found, stack, strict=True))

@@ -14,21 +14,21 @@ from timelaw.certificate import certify
 from timelaw.certificate.record import compare_with_record
 from timelaw.compose import compose_law
 from timelaw.easing import Easing
-from timelaw.export import law_json
+from timelaw.export import format_law
 from timelaw.law_file.document import from_document
-from timelaw.orientations import orientations
+from timelaw.orientations import read_orientations
 from timelaw.pipeline import design
 from timelaw.requirements import resolve_requirements
-from timelaw.route import route
+from timelaw.route import lay_route
 from timelaw.time_law.baselines import time_double_s
-from timelaw.tours import tour
+from timelaw.tours import find_tour
 
 THETA = 2 * np.pi / 3
 
 
 @pytest.fixture(scope="module")
 def document(paper):
-    return json.loads(law_json(paper.optimised.law, paper.optimised.certificate, {}))
+    return json.loads(format_law(paper.optimised.law, paper.optimised.certificate, {}))
 
 
 def findings(document):
@@ -301,7 +301,7 @@ def test_a_break_in_the_easing_is_a_geometric_finding(paper):
 def _double_s(limits):
     """The double-S law of the paper's tour under other limits."""
     spec = problem(f"limits: {limits}")
-    points = orientations(spec.route.orientations, Path())
-    way = route(points, tour(spec, points))
+    points = read_orientations(spec.route.orientations, Path())
+    way = lay_route(points, find_tour(spec, points))
     plan = resolve_requirements(spec, way)
     return compose_law("t", way, time_double_s(way, plan), plan)

@@ -11,10 +11,10 @@ from timelaw.errors import InputError
 from timelaw.least_time import double_s
 from timelaw.least_time.physical_limit import run_limit
 from timelaw.limits import Demand, drop_implied, list_rows, make_limits
-from timelaw.orientations.lattices import lattice
+from timelaw.orientations.lattices import make_lattice
 from timelaw.pipeline import lay_out
 from timelaw.tours.ends import Ends
-from timelaw.tours.fastest import duration, fastest
+from timelaw.tours.fastest import find_fastest, sum_times
 from timelaw.tours.travel_times import TravelTimes
 
 LIMITS = {"velocity": 1.0, "acceleration": 2.0, "jerk": 10.0}
@@ -84,11 +84,11 @@ def test_small_sets_by_all_permutations(points, start, end):
     q = {
         "raster": raster(),
         "random": unit_quaternions(np.random.default_rng(9), 7),
-        "some of the 24-cell": lattice("24-cell")[4:11],
+        "some of the 24-cell": make_lattice("24-cell")[4:11],
     }[points]
     orders = [o for o in permutations(range(7)) if start in (None, o[0]) and end in (None, o[-1])]
     best = min(slow_duration(q, order, LIMITS) for order in orders)
-    found = fastest(clock(q), Ends(False, start, end))
+    found = find_fastest(clock(q), Ends(False, start, end))
     (merit,) = found.merits
     assert merit.value == pytest.approx(best, rel=1e-9)
     assert merit.is_best
@@ -96,15 +96,17 @@ def test_small_sets_by_all_permutations(points, start, end):
 
 
 def test_a_closed_tour_may_rest_anywhere():
-    q = lattice("24-cell")[[0, 4, 8, 5, 11, 7]]
-    found = fastest(clock(q), Ends(True))
+    q = make_lattice("24-cell")[[0, 4, 8, 5, 11, 7]]
+    found = find_fastest(clock(q), Ends(True))
     best = min(slow_duration(q, (*order, order[0]), LIMITS) for order in permutations(range(6)))
     assert found.merits[0].value == pytest.approx(best, rel=1e-9)
 
 
 def test_the_24_cell():
-    found = fastest(
-        clock(lattice("24-cell"), {k: np.radians(v) for k, v in zip(LIMITS, (60, 120, 600), strict=True)}),
+    found = find_fastest(
+        clock(
+            make_lattice("24-cell"), {k: np.radians(v) for k, v in zip(LIMITS, (60, 120, 600), strict=True)}
+        ),
         Ends(),
     )
     assert found.merits[0].value == pytest.approx(26.2, rel=1e-9)
@@ -113,9 +115,9 @@ def test_the_24_cell():
 
 def test_nodes_that_must_be_rested_at_are_no_part_of_a_run():
     q = raster()
-    free, resting = (fastest(clock(q, passable=p), Ends()).merits[0].value for p in (range(7), ()))
+    free, resting = (find_fastest(clock(q, passable=p), Ends()).merits[0].value for p in (range(7), ()))
     assert resting > free
-    assert resting == pytest.approx(fastest(clock(q, passable=[0]), Ends()).merits[0].value)
+    assert resting == pytest.approx(find_fastest(clock(q, passable=[0]), Ends()).merits[0].value)
 
 
 @pytest.mark.parametrize("points", ["random", "grid"])
@@ -129,14 +131,14 @@ def test_larger_sets_have_a_bound_that_holds(points):
         else Rotation.from_euler("ZY", grid, degrees=True).as_quat(scalar_first=True)
     )
     timed = clock(q)
-    found = fastest(timed, Ends())
+    found = find_fastest(timed, Ends())
     (merit,) = found.merits
     assert sorted(found.order) == list(range(20))
     assert slow_duration(q, found.order, LIMITS) == pytest.approx(merit.value, rel=1e-9)
     assert 0 < merit.bound <= merit.value
     assert merit.bound <= min(slow_duration(q, rng.permutation(20), LIMITS) for _ in range(200))
     rows = tuple(range(20))
-    assert merit.value <= duration(timed, rows, closed=False) + 1e-9
+    assert merit.value <= sum_times(timed, rows, closed=False) + 1e-9
 
 
 def test_the_bound_is_below_the_exact_time_where_both_are_known(monkeypatch):
@@ -145,12 +147,12 @@ def test_the_bound_is_below_the_exact_time_where_both_are_known(monkeypatch):
     for seed in range(2):
         q = np.concatenate([raster(), unit_quaternions(np.random.default_rng(seed), 2)])
         for limits in (LIMITS, BY_AXIS):
-            exact = fastest(clock(q, limits), Ends()).merits[0].value
+            exact = find_fastest(clock(q, limits), Ends()).merits[0].value
             with monkeypatch.context() as patch:
                 patch.setattr(module, "MOST_NODES", 0)
-                searched = fastest(clock(q, limits), Ends()).merits[0]
+                searched = find_fastest(clock(q, limits), Ends()).merits[0]
                 patch.setattr(TravelTimes, "most_runs", 0)
-                coarse = fastest(clock(q, limits), Ends()).merits[0]
+                coarse = find_fastest(clock(q, limits), Ends()).merits[0]
             assert coarse.bound <= searched.bound * (1 + 1e-9)
             assert searched.bound <= exact * (1 + 1e-9)
             assert searched.value >= exact * (1 - 1e-9)
@@ -161,7 +163,7 @@ def test_torque_is_timed_by_the_phase_plane():
     q, inertia = unit_quaternions(np.random.default_rng(2), 4), np.diag([12.0, 10.0, 8.0])
     limits = {"velocity": 0.1, "torque": (0.2, 0.2, 0.1)}
     timed = clock(q, limits, inertia)
-    found = fastest(timed, Ends())
+    found = find_fastest(timed, Ends())
     assert found.merits[0].value == pytest.approx(
         min(sum(timed.legs[a, b] for a, b in pairwise(o)) for o in permutations(range(4))), rel=1e-12
     )

@@ -9,7 +9,7 @@ import pytest
 
 from tests.cases import reference
 from timelaw.errors import InputError
-from timelaw.export import law_json, samples_csv
+from timelaw.export import format_law, format_samples
 from timelaw.files import write_text
 from timelaw.law_file import read_law
 from timelaw.law_file.document import from_document, to_document
@@ -18,7 +18,7 @@ from timelaw.orientations.table import read_table
 
 @pytest.fixture(scope="module")
 def text(paper):
-    return law_json(paper.optimised.law, paper.optimised.certificate, {"problem": "paper-24-cell.yaml"})
+    return format_law(paper.optimised.law, paper.optimised.certificate, {"problem": "paper-24-cell.yaml"})
 
 
 @pytest.mark.parametrize("name", ["optimised", "quintic", "double-S"])
@@ -71,7 +71,8 @@ def test_the_file_has_the_contracts_keys(text):
 
 def test_the_same_design_writes_the_same_file(paper, text):
     assert (
-        law_json(paper.optimised.law, paper.optimised.certificate, {"problem": "paper-24-cell.yaml"}) == text
+        format_law(paper.optimised.law, paper.optimised.certificate, {"problem": "paper-24-cell.yaml"})
+        == text
     )
 
 
@@ -181,7 +182,7 @@ def test_a_file_cut_short_anywhere_is_refused_or_another(tmp_path, text):
 
 def test_samples_are_the_law_on_an_even_grid(paper, tmp_path):
     law = paper.optimised.law
-    lines = samples_csv(law, 10.0).splitlines()
+    lines = format_samples(law, 10.0).splitlines()
     header = [line for line in lines if line.startswith("#")]
     assert any("rad/s^3" in line for line in header)
     assert lines[len(header)] == "t,qw,qx,qy,qz,wx,wy,wz,ax,ay,az,jx,jy,jz"
@@ -199,7 +200,7 @@ def test_samples_are_the_law_on_an_even_grid(paper, tmp_path):
 @pytest.mark.parametrize("rate", [1e-3, 1 / 28.82888225439081, 1.0, 7.3])
 def test_samples_begin_and_end_with_the_motion(paper, rate):
     law = paper.optimised.law
-    rows = [line.split(",") for line in samples_csv(law, rate).splitlines() if line[0] in "0123456789"]
+    rows = [line.split(",") for line in format_samples(law, rate).splitlines() if line[0] in "0123456789"]
     assert float(rows[0][0]) == 0
     assert float(rows[-1][0]) == pytest.approx(law.duration, rel=1e-14)
     assert len(rows) >= 2
@@ -207,7 +208,7 @@ def test_samples_begin_and_end_with_the_motion(paper, rate):
 
 def test_too_many_samples_are_refused(paper):
     with pytest.raises(InputError, match=r"output\.rate: 2882888226 rows in 28\.8289 s; at most 2000000"):
-        samples_csv(paper.optimised.law, 1e8)
+        format_samples(paper.optimised.law, 1e8)
 
 
 def test_a_file_is_replaced_whole(tmp_path):
@@ -232,4 +233,4 @@ def test_labels_with_any_characters_survive(paper):
 
 def test_reference_laws_are_small():
     design = reference("paper-24-cell")
-    assert len(law_json(design.optimised.law, design.optimised.certificate, {})) < 20_000
+    assert len(format_law(design.optimised.law, design.optimised.certificate, {})) < 20_000

@@ -13,7 +13,7 @@ from timelaw.errors import InfeasibleError
 from timelaw.nlp import Budget, Program, RunProblem, Status
 from timelaw.nlp.all_runs import Deadline, solve_together
 from timelaw.nlp.single_runs import solve_runs
-from timelaw.nlp.solution import total
+from timelaw.nlp.solution import sum_durations
 from timelaw.numerics.bernstein import elevate
 from timelaw.objectives import EFFORTS
 from timelaw.problem.objective import Goal, TotalTime
@@ -31,7 +31,7 @@ def solve(angles, minimise, factor=None, degree=9, continuity=2, limits=ROBOT, w
     least = solve_runs(runs)
     given, goal = [], {"weight": weight}
     if factor is not None:
-        time = factor * total(least.timings)
+        time = factor * sum_durations(least.timings)
         given = [Deadline(Budget(len(angles), time), "objective.total_time", "the end", 0.0)]
         goal = {"total_time": TotalTime(time)}
     solution = solve_together(runs, least.timings, Goal(minimise=minimise, **goal), given)
@@ -74,7 +74,7 @@ def test_limits_hold_and_effort_falls_with_time(minimise):
     for factor in (1.02, 1.1, 1.5):
         program, least, solution = solve([2.0, 1.0], minimise, factor, 9, 3)
         assert used_fraction(program.demands, solution.timings) <= 1
-        assert solution.duration == pytest.approx(factor * total(least), rel=1e-12)
+        assert solution.duration == pytest.approx(factor * sum_durations(least), rel=1e-12)
         efforts.append(EFFORTS[minimise].measure(program.demands, solution.timings))
         stretched = [t.stretched(factor) for t in least]
         assert efforts[-1] <= EFFORTS[minimise].measure(program.demands, stretched)
@@ -96,7 +96,7 @@ def test_the_effort_of_torque_is_the_integral_of_eulers_equation():
 def test_peak_at_the_least_time_is_one():
     program, least, solution = solve([2.0, 0.7], "peak", 1.0)
     assert used_fraction(program.demands, solution.timings) == pytest.approx(1.0, abs=1e-9)
-    assert solution.duration == pytest.approx(total(least), rel=1e-12)
+    assert solution.duration == pytest.approx(sum_durations(least), rel=1e-12)
 
 
 def test_peak_scales_as_the_limits_would():
@@ -105,7 +105,7 @@ def test_peak_scales_as_the_limits_would():
 
     def slower(p):
         limits = {k: p * bound for k, bound in enumerate(ROBOT.values(), 1)}
-        return LinearProgram(9, 2, (2.0,), limits).solve()[0] - 2.0 * total(least)
+        return LinearProgram(9, 2, (2.0,), limits).solve()[0] - 2.0 * sum_durations(least)
 
     expected = brentq(slower, 0.2, 0.9, xtol=1e-5)
     assert used_fraction(program.demands, solution.timings) == pytest.approx(expected, rel=1e-4)
@@ -122,7 +122,10 @@ def test_weights_trade_time_against_effort():
         program, least, solution = solve([2.0, 1.0], "jerk", weight=weight)
         assert used_fraction(program.demands, solution.timings) <= 1
         results.append(
-            (solution.duration / total(least), EFFORTS["jerk"].measure(program.demands, solution.timings))
+            (
+                solution.duration / sum_durations(least),
+                EFFORTS["jerk"].measure(program.demands, solution.timings),
+            )
         )
     times, efforts = zip(*results, strict=True)
     assert 1 <= times[0] < times[1] < times[2]

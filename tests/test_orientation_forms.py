@@ -10,9 +10,9 @@ from scipy.spatial.transform import Rotation
 from tests.cases import problem, unit_quaternions
 from timelaw.errors import InputError
 from timelaw.numerics.quaternion import rotation_matrix
-from timelaw.orientations import orientations
+from timelaw.orientations import read_orientations
 from timelaw.pipeline import lay_out
-from timelaw.tours import tour
+from timelaw.tours import find_tour
 
 RNG = np.random.default_rng(4)
 SOME = unit_quaternions(RNG, 6)
@@ -20,7 +20,7 @@ ROTATIONS = Rotation.from_quat(SOME, scalar_first=True)
 
 
 def read(spec: str, folder: Path = Path()):
-    return orientations(problem(f"route: {{orientations: {{{spec}}}}}").route.orientations, folder)
+    return read_orientations(problem(f"route: {{orientations: {{{spec}}}}}").route.orientations, folder)
 
 
 def same(q, expected):
@@ -132,7 +132,7 @@ def test_a_turned_lattice_keeps_its_numbering_and_the_papers_tour():
     expected = Rotation.from_quat([0.8, 0, 0, 0.6]) * Rotation.from_quat(plain.quaternions, scalar_first=True)
     same(found.quaternions, expected.as_quat(scalar_first=True))
     made = problem(f"route: {{orientations: {{{turned}}}, tour: paper}}")
-    assert tour(made, found).is_shortest
+    assert find_tour(made, found).is_shortest
 
 
 REPEATED = "list: [[1,0,0,0], [0,1,0,0], [-1,0,0,0], [0,-1,0,0], [0,0,1,0]]"
@@ -158,9 +158,9 @@ def test_nearly_the_same_is_the_same_within_a_tolerance():
     ("group", "size"), [("432", 24), ("m-3m", 24), ("23", 12), ("622", 12), ("-3m", 6), ("4", 4), ("D5", 10)]
 )
 def test_equivalents_of_a_crystal_are_merged(group, size):
-    from timelaw.orientations.equivalence import rotation_group
+    from timelaw.orientations.equivalence import make_rotation_group
 
-    turns = Rotation.from_quat(rotation_group(group), scalar_first=True)
+    turns = Rotation.from_quat(make_rotation_group(group), scalar_first=True)
     assert len(turns) == size
     every = [(r * turn).as_quat(scalar_first=True).tolist() for r in ROTATIONS[:3] for turn in turns]
     found = read(f"list: {every}, symmetry: '{group}'")
@@ -292,10 +292,10 @@ def test_fill_distances_of_the_lattices(name, fill):
 
     45° of the octahedra, and arccos(φ²/√8) = 22.2388° of the 600-cell's tetrahedra.
     """
-    from timelaw.orientations.lattices import lattice
-    from timelaw.orientations.spread import fill_distance, separation
+    from timelaw.orientations.lattices import make_lattice
+    from timelaw.orientations.spread import measure_covering_radius, measure_separation
 
-    assert degrees(fill_distance(lattice(name))) == pytest.approx(fill, abs=1e-9)
-    assert degrees(separation(lattice(name))) == pytest.approx(
+    assert degrees(measure_covering_radius(make_lattice(name))) == pytest.approx(fill, abs=1e-9)
+    assert degrees(measure_separation(make_lattice(name))) == pytest.approx(
         {"16-cell": 180, "tesseract": 120, "24-cell": 120, "600-cell": 72}[name], abs=1e-6
     )

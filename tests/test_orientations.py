@@ -9,8 +9,8 @@ import pytest
 
 from tests.cases import problem
 from timelaw.errors import InputError
-from timelaw.orientations import orientations
-from timelaw.orientations.lattices import LATTICES, lattice
+from timelaw.orientations import read_orientations
+from timelaw.orientations.lattices import LATTICES, make_lattice
 from timelaw.orientations.table import read_table
 
 PAPER = """1 0 0 0 / 0 1 0 0 / 0 0 1 0 / 0 0 0 1 / .5 .5 .5 .5 / .5 -.5 .5 .5 / .5 .5 -.5 .5 / .5 .5 .5 -.5
@@ -29,7 +29,7 @@ FACTS = {
 @pytest.mark.parametrize("name", FACTS)
 def test_counts_norms_distances_and_neighbours(name):
     count, cosine, neighbours = FACTS[name]
-    q = lattice(name)
+    q = make_lattice(name)
     assert q.shape == (count, 4)
     np.testing.assert_allclose(np.linalg.norm(q, axis=1), 1, atol=3e-16)
     gram = np.abs(q @ q.T) - 2 * np.eye(count)
@@ -43,7 +43,7 @@ def test_the_registry_is_what_the_problem_file_allows():
 
 @pytest.mark.parametrize("name", ["tesseract", "600-cell", "120-cell"])
 def test_the_documented_order_and_representatives(name):
-    q = lattice(name)
+    q = make_lattice(name)
     rows = [tuple(np.round(row, 9) + 0.0) for row in q]
     assert rows == sorted(rows, reverse=True)
     assert all(next(c for c in row if c != 0) > 0 for row in rows)
@@ -51,12 +51,12 @@ def test_the_documented_order_and_representatives(name):
 
 def test_the_24_cell_is_numbered_as_in_the_paper():
     expected = [[float(c) for c in row.split()] for row in PAPER.split("/")]
-    np.testing.assert_array_equal(lattice("24-cell"), expected)
+    np.testing.assert_array_equal(make_lattice("24-cell"), expected)
 
 
 def test_table_1_of_the_paper():
     """Arc lengths without absolute value: 12 zeros, 32 pairs at 60°, 18 at 90°, 16 at 120°; 78 entries."""
-    q = lattice("24-cell")
+    q = make_lattice("24-cell")
     upper = [round(degrees(acos(np.clip(q[i] @ q[j], -1, 1)))) for i in range(12) for j in range(i, 12)]
     assert Counter(upper) == {0: 12, 60: 32, 90: 18, 120: 16}
     on_so3 = np.abs(q @ q.T)[np.triu_indices(12, 1)]
@@ -68,7 +68,7 @@ def test_closure_under_multiplication(name):
     """The vertices of these two are groups: a rotation of one by another is a third."""
     from scipy.spatial.transform import Rotation
 
-    q = lattice(name)
+    q = make_lattice(name)
     products = (
         Rotation.from_quat(q[5], scalar_first=True) * Rotation.from_quat(q, scalar_first=True)
     ).as_quat(scalar_first=True)
@@ -95,7 +95,9 @@ def test_labels_may_hold_anything(tmp_path):
 
 def test_a_table_is_found_beside_the_problem_file(tmp_path):
     write(tmp_path, "qw,qx,qy,qz\n1,0,0,0\n0.7071,0.7071,0,0\n")
-    points = orientations(problem("route: {orientations: {file: scan.csv}}").route.orientations, tmp_path)
+    points = read_orientations(
+        problem("route: {orientations: {file: scan.csv}}").route.orientations, tmp_path
+    )
     assert points.labels == ("1", "2")
     np.testing.assert_allclose(np.linalg.norm(points.quaternions, axis=1), 1, atol=1e-16)
     with pytest.raises(ValueError, match="read-only"):

@@ -3,7 +3,7 @@
 import pytest
 
 from timelaw.errors import InputError
-from timelaw.problem import load, parse
+from timelaw.problem import load_problem, parse_problem
 
 GOOD = """\
 timelaw: 1
@@ -96,7 +96,7 @@ CASES = {
 def test_the_exact_message(case):
     text, message = CASES[case]
     with pytest.raises(InputError) as error:
-        parse(text, "scan.yaml")
+        parse_problem(text, "scan.yaml")
     assert str(error.value) == f"scan.yaml:{message}"
     assert error.value.exit_code == 2
 
@@ -108,25 +108,25 @@ def test_there_are_more_than_thirty():
 def test_all_faults_are_reported_at_once_in_the_order_of_the_file():
     text = "timelaw: 1\nname: a b\nroute: {orientations: {lattice: x}}\nlimits: {jerk: 3}\n"
     with pytest.raises(InputError) as error:
-        parse(text, "scan.yaml")
+        parse_problem(text, "scan.yaml")
     assert [fault.line for fault in error.value.faults] == [2, 3, 4]
 
 
 def test_the_good_file_is_good():
-    assert parse(GOOD).name == "scan"
+    assert parse_problem(GOOD).name == "scan"
 
 
 def test_files_that_cannot_be_read(tmp_path):
     with pytest.raises(InputError, match=r"none\.yaml: cannot be read: No such file or directory"):
-        load(tmp_path / "none.yaml")
+        load_problem(tmp_path / "none.yaml")
     (tmp_path / "latin.yaml").write_bytes("name: Grüße".encode("latin-1"))
     with pytest.raises(InputError, match=r"latin\.yaml: is not a UTF-8 text"):
-        load(tmp_path / "latin.yaml")
+        load_problem(tmp_path / "latin.yaml")
     with pytest.raises(InputError, match="cannot be read: Is a directory"):
-        load(tmp_path)
+        load_problem(tmp_path)
 
 
 def test_yaml_1_2_and_byte_order_marks(tmp_path):
     """In YAML 1.1 `no` would be false; files from other editors may start with a mark."""
     (tmp_path / "marked.yaml").write_bytes(b"\xef\xbb\xbf" + replaced("scan", "no").encode())
-    assert load(tmp_path / "marked.yaml")[0].name == "no"
+    assert load_problem(tmp_path / "marked.yaml")[0].name == "no"

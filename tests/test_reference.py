@@ -14,9 +14,15 @@ from timelaw.certificate import certify
 from timelaw.certificate.record import compare_with_record
 from timelaw.law_file import read_law
 from timelaw.least_time.double_s import double_s_time
-from timelaw.orientations.lattices import lattice
-from timelaw.report import law_rows, tour_table
-from timelaw.report.reference import replaced, table
+from timelaw.orientations.lattices import make_lattice
+from timelaw.report import list_law_rows
+from timelaw.reproduce.readme_tables import (
+    TOUR_MARK,
+    design_tours,
+    replace_table,
+    table_references,
+    table_tours,
+)
 
 DEG = np.pi / 180
 RESULTS = Path(__file__).parent.parent / "results"
@@ -83,7 +89,7 @@ def test_the_wrist_is_calm_and_slow_past_the_cable():
     designed = reference("wrist-calibration")
     assert designed.optimised.certificate.holds
     assert designed.optimised.certificate.continuity.order == 3
-    rows = {row.name: row for row in law_rows(designed)}
+    rows = {row.name: row for row in list_law_rows(designed)}
     assert rows["optimised"].to_limit < 1.012
 
 
@@ -114,7 +120,7 @@ README = (Path(__file__).parent.parent / "README.md").read_text(encoding="utf-8"
 
 def test_the_readmes_table_is_what_the_command_prints():
     designs = [reference(path.stem) for path in sorted(PROBLEMS.glob("*.yaml"))]
-    assert replaced(README, table(designs)) == README
+    assert replace_table(README, table_references(designs)) == README
 
 
 def test_ci_runs_the_readmes_test_command():
@@ -125,8 +131,8 @@ def test_ci_runs_the_readmes_test_command():
 
 def test_the_readmes_table_of_tours():
     """What the command prints; its times by closed forms over runs that SciPy's rotations find."""
-    rows = tour_table.designs()
-    assert replaced(README, tour_table.table(rows), tour_table.MARK) == README
+    rows = design_tours()
+    assert replace_table(README, table_tours(rows), TOUR_MARK) == README
     limits = (60 * DEG, 120 * DEG, 600 * DEG)
     over_runs = {
         ("24-cell", "paper"): 27.60,
@@ -135,10 +141,10 @@ def test_the_readmes_table_of_tours():
     }
     for name, tour, designed in rows:
         angle = np.degrees(np.min(designed.route.angles))
-        lengths = straight_runs(list(designed.tour.order), lattice(name))
-        assert sum(lengths) == len(lattice(name)) - 1
+        lengths = straight_runs(list(designed.tour.order), make_lattice(name))
+        assert sum(lengths) == len(make_lattice(name)) - 1
         runs = sum(double_s_time(legs * angle * DEG, *limits) for legs in lengths)
-        times = {row.name: row.duration for row in law_rows(designed)}
+        times = {row.name: row.duration for row in list_law_rows(designed)}
         assert times["double-S"] == pytest.approx(runs, rel=1e-9)
         assert over_runs.get((name, tour), runs) == pytest.approx(runs, rel=1e-9)
         quintic = sum(lengths) * smoothstep_duration(QUINTIC_PEAKS, angle, (60, 120, 600))

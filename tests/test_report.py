@@ -8,15 +8,15 @@ from html.parser import HTMLParser
 import pytest
 
 from tests.cases import reference
-from timelaw.report import law_rows, report_files
-from timelaw.report.summary import run_rows
+from timelaw.report import list_law_rows, render_report
+from timelaw.report.summary import list_run_rows
 
 DIGEST = "sha256:0"
 
 
 @pytest.fixture(scope="module")
 def files(paper):
-    return report_files(paper, DIGEST)
+    return render_report(paper, DIGEST)
 
 
 class Balance(HTMLParser):
@@ -55,7 +55,7 @@ def test_figures_are_vector_graphics(files):
 
 
 def test_two_runs_write_the_same_texts(paper, files):
-    assert report_files(paper, DIGEST) == files
+    assert render_report(paper, DIGEST) == files
 
 
 def test_the_verdict_comes_first_and_the_numbers_are_the_laws(files):
@@ -76,18 +76,18 @@ def test_a_law_that_breaks_a_limit_is_called_so(paper):
     from timelaw.certificate import certify
 
     broken = replace(paper, optimised=replace(paper.optimised, law=law, certificate=certify(law)))
-    page = report_files(broken, DIGEST)["report.html"]
+    page = render_report(broken, DIGEST)["report.html"]
     assert "Not certified." in page
     assert "over the limit of 1 rad/s³" in page
 
 
 def test_rows(paper):
-    rows = {row.name: row for row in law_rows(paper)}
+    rows = {row.name: row for row in list_law_rows(paper)}
     assert rows["quintic"].to_quintic == pytest.approx(1)
     assert rows["double-S"].to_limit == pytest.approx(1)
     assert rows["optimised"].to_limit == pytest.approx(1.0445, abs=1e-3)
     assert all(row.holds for row in rows.values())
-    assert [run.count for run in run_rows(paper)] == [5, 3]
+    assert [run.count for run in list_run_rows(paper)] == [5, 3]
 
 
 def test_names_from_files_are_escaped(paper):
@@ -96,10 +96,10 @@ def test_names_from_files_are_escaped(paper):
     from timelaw.certificate import certify
 
     changed = replace(paper, optimised=replace(paper.optimised, law=law, certificate=certify(law)))
-    assert "<script>" not in report_files(changed, DIGEST)["report.html"]
+    assert "<script>" not in render_report(changed, DIGEST)["report.html"]
 
 
 def test_many_legs_show_the_first_of_them():
-    page = report_files(reference("imu-calibration-120-cell"), DIGEST)["report.html"]
+    page = render_report(reference("imu-calibration-120-cell"), DIGEST)["report.html"]
     assert len(page) < 3_000_000
     assert "C2" in page

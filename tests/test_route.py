@@ -10,22 +10,22 @@ from scipy.spatial.transform import Rotation
 
 from tests.cases import problem, unit_quaternions
 from timelaw.errors import InputError
-from timelaw.orientations import OrientationSet, orientations
-from timelaw.route import route
-from timelaw.tours import Tour, tour
+from timelaw.orientations import OrientationSet, read_orientations
+from timelaw.route import lay_route
+from timelaw.tours import Tour, find_tour
 
 
 def through(quaternions):
     """The route along a list of orientations."""
     q = np.array(quaternions, dtype=float)
     labels = tuple(str(i + 1) for i in range(len(q)))
-    return route(OrientationSet(q, labels, "list"), Tour(tuple(range(len(q))), False, 0.0, 0.0, ()))
+    return lay_route(OrientationSet(q, labels, "list"), Tour(tuple(range(len(q))), False, 0.0, 0.0, ()))
 
 
 def lattice_route(spec: str):
     model = problem(f"route: {{{spec}}}")
-    points = orientations(model.route.orientations, Path())
-    return route(points, tour(model, points))
+    points = read_orientations(model.route.orientations, Path())
+    return lay_route(points, find_tour(model, points))
 
 
 def about(axis, degrees):

@@ -8,12 +8,12 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from timelaw.errors import TimelawError
-from timelaw.orientations.lattices import lattice
-from timelaw.tours.lines import Lines
-from timelaw.tours.run_search import RunSearch
-from timelaw.tours.search_again import main, search
+from timelaw.orientations.lattices import make_lattice
+from timelaw.reproduce.straight_tours import main, search
+from timelaw.tours.graph.minimal_legs import MinimalLegs
+from timelaw.tours.search.run_search import RunSearch
 
-Q = lattice("24-cell")
+Q = make_lattice("24-cell")
 NEAR = [[j for j in range(12) if abs(abs(Q[i] @ Q[j]) - 0.5) < 1e-9] for i in range(12)]
 GOALS = ("stops", "turning")
 
@@ -61,7 +61,7 @@ def cost(order, goal, closed):
 @pytest.mark.parametrize("goal", GOALS)
 @pytest.mark.parametrize("closed", [False, True], ids=["open", "closed"])
 def test_the_search_ends_at_the_least_of_all_subsets(goal, closed):
-    lines, best = Lines(Q), least(goal, closed)
+    lines, best = MinimalLegs(Q), least(goal, closed)
     for chance in (False, True):
         found = search(lines, goal, in_its_units(goal, best + 0.2), closed=closed, chance=chance)
         assert sorted(found) == list(range(12))
@@ -79,14 +79,14 @@ def stops_counted(_i, _j, _k):
 
 def test_no_open_tour_of_the_600_cell_has_43_straight_nodes():
     """16 runs, 15 corners: the search ends without one."""
-    search = RunSearch(Lines(lattice("600-cell")), False, 15, stops_counted)
+    search = RunSearch(MinimalLegs(make_lattice("600-cell")), False, 15, stops_counted)
     assert search.run() is None
     assert search.finished
 
 
 @pytest.mark.campaign
 def test_no_closed_tour_of_the_600_cell_has_43_straight_nodes():
-    search = RunSearch(Lines(lattice("600-cell")), True, 17, stops_counted)
+    search = RunSearch(MinimalLegs(make_lattice("600-cell")), True, 17, stops_counted)
     assert search.run() is None
     assert search.finished
 
@@ -102,7 +102,7 @@ def test_the_command_prints_a_tour_as_the_data_have_it(capsys):
 
 @pytest.mark.parametrize("name", ["16-cell", "tesseract", "120-cell"])
 def test_where_nothing_goes_straight_every_node_is_a_corner(name, capsys):
-    nodes = len(lattice(name))
+    nodes = len(make_lattice(name))
     main([name, "stops", str(nodes - 3)])
     assert capsys.readouterr().out.startswith("none")
     main([name, "stops", str(nodes - 2), "chance"])

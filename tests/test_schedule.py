@@ -10,7 +10,7 @@ from timelaw import design
 from timelaw.certificate import certify
 from timelaw.certificate.record import compare_with_record
 from timelaw.errors import InfeasibleError, InputError
-from timelaw.export import law_json
+from timelaw.export import format_law
 from timelaw.law_file.document import from_document
 
 BASE = (PROBLEMS / "paper-24-cell.yaml").read_text()
@@ -26,7 +26,7 @@ def make(tmp_path, *lines, **replacements):
 
 
 def verified(designed):
-    document = json.loads(law_json(designed.optimised.law, designed.optimised.certificate, {}))
+    document = json.loads(format_law(designed.optimised.law, designed.optimised.certificate, {}))
     certificate = certify(from_document(document))
     assert certificate.findings() == []
     assert compare_with_record(certificate, document) == []

@@ -8,12 +8,12 @@ import pytest
 from tests.cases import problem, unit_quaternions
 from timelaw.errors import InputError
 from timelaw.orientations import OrientationSet
-from timelaw.tours import sharpened, tour
+from timelaw.tours import find_tour, sharpen
 from timelaw.tours.ends import Ends
-from timelaw.tours.local_search import short_cycle
-from timelaw.tours.lower_bound import held_karp
-from timelaw.tours.nearest import distances
-from timelaw.tours.shortest import least_cost, short_tour
+from timelaw.tours.graph.distances import measure_distances
+from timelaw.tours.search.held_karp import bound_by_trees
+from timelaw.tours.search.local_search import find_short_cycle
+from timelaw.tours.shortest import find_cheapest, find_short_tour
 
 KINDS = [Ends(True), Ends(True, 2), Ends(), Ends(False, 3), Ends(False, None, 1), Ends(False, 4, 0)]
 
@@ -47,11 +47,11 @@ def test_small_sets_by_all_permutations(ends):
         costs = angles(random_set(seed, 7).quaternions)
         orders = [o for o in permutations(range(7)) if allowed(o, ends)]
         best = min(length(costs, o, ends.closed) for o in orders)
-        order, total = least_cost(costs, ends)
+        order, total = find_cheapest(costs, ends)
         assert allowed(order, ends)
         assert total == pytest.approx(best, rel=1e-12)
         assert length(costs, order, ends.closed) == pytest.approx(best, rel=1e-12)
-        searched = short_tour(costs, ends)
+        searched = find_short_tour(costs, ends)
         assert allowed(searched, ends)
         assert sorted(searched) == list(range(7))
         assert length(costs, searched, ends.closed) == pytest.approx(best, rel=1e-12)
@@ -63,9 +63,9 @@ def test_the_lower_bound_is_below_the_shortest_and_near_it(ends, count):
     gaps = []
     for seed in range(8):
         costs = angles(random_set(100 + seed, count).quaternions)
-        _, best = least_cost(costs, ends)
+        _, best = find_cheapest(costs, ends)
         for reached in (best, 1.2 * best):  # also where the tour that sets the steps is a bad one
-            bound = held_karp(costs, ends, reached)
+            bound = bound_by_trees(costs, ends, reached)
             assert bound <= best * (1 + 1e-12)
             gaps.append(1 - bound / best)
     assert np.median(gaps) < 0.03
@@ -74,7 +74,7 @@ def test_the_lower_bound_is_below_the_shortest_and_near_it(ends, count):
 def test_the_search_leaves_no_mark_on_the_costs_and_visits_all():
     costs = angles(random_set(1, 40).quaternions)
     kept = costs.copy()
-    assert sorted(short_cycle(costs)) == list(range(40))
+    assert sorted(find_short_cycle(costs)) == list(range(40))
     np.testing.assert_array_equal(costs, kept)
 
 
@@ -102,7 +102,7 @@ def test_random_sets_against_a_strong_solver(count, closed):
     spec = problem(
         f"route: {{orientations: {{lattice: 24-cell}}, tour: shortest, closed: {str(closed).lower()}}}"
     )
-    found = tour(spec, points)
+    found = find_tour(spec, points)
     costs = angles(points.quaternions)
     own = length(costs, found.order, closed)
     assert sorted(found.order) == list(range(count))
@@ -118,28 +118,28 @@ def test_random_sets_against_a_strong_solver(count, closed):
 def test_the_same_tour_every_time():
     points = random_set(5, 60)
     spec = problem("route: {orientations: {lattice: 24-cell}, tour: shortest}")
-    assert tour(spec, points) == tour(spec, points)
+    assert find_tour(spec, points) == find_tour(spec, points)
 
 
 def test_start_and_end_of_a_larger_set():
     points = random_set(6, 60)
     spec = problem("route: {orientations: {lattice: 24-cell}, tour: shortest, start: 17, end: 40}")
-    found = tour(spec, points)
+    found = find_tour(spec, points)
     assert (found.order[0], found.order[-1]) == (16, 39)
-    free = tour(problem("route: {orientations: {lattice: 24-cell}, tour: shortest}"), points)
+    free = find_tour(problem("route: {orientations: {lattice: 24-cell}, tour: shortest}"), points)
     assert free.length < found.length
     assert found.merits[0].bound > free.merits[0].bound
 
 
 @pytest.mark.parametrize("name", ["600-cell", "120-cell"])
 def test_lattices_from_and_to_given_nodes(name):
-    from timelaw.orientations.lattices import lattice
+    from timelaw.orientations.lattices import make_lattice
 
-    q = lattice(name)
+    q = make_lattice(name)
     points = OrientationSet(q, tuple(str(i + 1) for i in range(len(q))), name, name)
     for ends in ("start: 5", "start: 5, end: 44", "end: 20", "closed: true, start: 30"):
         spec = problem(f"route: {{orientations: {{lattice: {name}}}, tour: shortest, {ends}}}")
-        found = tour(spec, points)
+        found = find_tour(spec, points)
         assert found.is_shortest
         if "start" in ends:
             assert points.labels[found.order[0]] == str(spec.route.start)
@@ -155,7 +155,7 @@ def test_where_no_tour_has_minimal_legs_only_the_shortest_has_a_longer_one():
         "list",
     )
     spec = problem("route: {orientations: {lattice: tesseract}, tour: shortest, start: a, end: d}")
-    found = tour(spec, points)
+    found = find_tour(spec, points)
     assert np.degrees(found.length) == pytest.approx(6 * 120 + 180)
     assert found.is_shortest
     assert found.merits[0].proof == "all tours compared"
@@ -163,9 +163,9 @@ def test_where_no_tour_has_minimal_legs_only_the_shortest_has_a_longer_one():
 
 def test_a_given_tour_gets_its_true_gap():
     points = random_set(8, 9)
-    given = tour(problem("route: {orientations: {lattice: 24-cell}, tour: given}"), points)
-    sharp = sharpened(given, points)
-    best = least_cost(angles(points.quaternions), Ends())[1]
+    given = find_tour(problem("route: {orientations: {lattice: 24-cell}, tour: given}"), points)
+    sharp = sharpen(given, points)
+    best = find_cheapest(angles(points.quaternions), Ends())[1]
     assert sharp.merits[0].bound == pytest.approx(best, rel=1e-12)
     assert sharp.merits[0].gap == pytest.approx(given.length / best - 1, rel=1e-9)
     assert given.merits[0].bound < best
@@ -178,7 +178,7 @@ def test_many_neighbours_at_one_distance():
     grid = [(a, b) for a in range(0, 90, 15) for b in range(0, 90, 15)]
     q = Rotation.from_euler("ZY", grid, degrees=True).as_quat(scalar_first=True)
     points = OrientationSet(q, tuple(str(i) for i in range(len(q))), "list")
-    found = tour(problem("route: {orientations: {lattice: 24-cell}, tour: shortest}"), points)
+    found = find_tour(problem("route: {orientations: {lattice: 24-cell}, tour: shortest}"), points)
     assert sorted(found.order) == list(range(36))
     assert found.length >= found.merits[0].bound > 0
 
@@ -206,11 +206,11 @@ TWICE = "orientations: {list: [[1,0,0,0], [0,1,0,0], [-1,0,0,0], [0,0,1,0]]}"
 def test_what_cannot_be_searched(spec, message):
     from pathlib import Path
 
-    from timelaw.orientations import orientations
+    from timelaw.orientations import read_orientations
 
     made = problem(f"route: {{{spec}}}")
     with pytest.raises(InputError) as error:
-        tour(made, orientations(made.route.orientations, Path()))
+        find_tour(made, read_orientations(made.route.orientations, Path()))
     assert str(error.value) == message
 
 
@@ -240,4 +240,4 @@ def test_ends_that_make_no_sense(route, message):
 
 def test_distances_agree():
     q = random_set(2, 20).quaternions
-    np.testing.assert_allclose(distances(q), angles(q), atol=1e-7)
+    np.testing.assert_allclose(measure_distances(q), angles(q), atol=1e-7)

@@ -11,16 +11,16 @@ from scipy.spatial.transform import Rotation
 
 from tests.cases import problem, unit_quaternions
 from timelaw.errors import InputError
-from timelaw.orientations import OrientationSet, orientations
-from timelaw.orientations.lattices import lattice
+from timelaw.orientations import OrientationSet, read_orientations
+from timelaw.orientations.lattices import make_lattice
+from timelaw.reproduce.tour_counts import count_by_straight_nodes, count_cycles, count_paths, main
 from timelaw.requirements import resolve_requirements
 from timelaw.requirements.route_limit import limit_route
-from timelaw.route import route
-from timelaw.tours import tour
-from timelaw.tours.counts import by_straight_nodes, cycles, main, paths
-from timelaw.tours.lines import Lines
-from timelaw.tours.straight import check
-from timelaw.tours.symmetry import congruence
+from timelaw.route import lay_route
+from timelaw.tours import find_tour
+from timelaw.tours.graph.minimal_legs import MinimalLegs
+from timelaw.tours.graph.symmetry import find_congruence
+from timelaw.tours.straightest import check_minimal
 
 SHIPPED = json.loads(files("timelaw.tours").joinpath("data/straight.json").read_text())
 CASES = [
@@ -44,7 +44,7 @@ def turns(order, q, closed):
 
 def judged(order, name, closed):
     """(straight nodes, turning [deg]) of a tour that visits all vertices once by minimal legs."""
-    q = lattice(name)
+    q = make_lattice(name)
     assert sorted(order) == list(range(len(q)))
     angles, corners = turns(order, q, closed)
     np.testing.assert_allclose(
@@ -55,8 +55,8 @@ def judged(order, name, closed):
 
 def searched(spec):
     made = problem(f"route: {{{spec}}}")
-    points = orientations(made.route.orientations, Path())
-    return tour(made, points), points
+    points = read_orientations(made.route.orientations, Path())
+    return find_tour(made, points), points
 
 
 # name, closed, goal: straight nodes, turning [deg]
@@ -106,7 +106,7 @@ def test_shipped_tours(name, kind, goal, index):
 def test_the_open_tour_of_the_600_cell_is_17_runs():
     """59 legs; a run has at most four, so 16 runs or fewer would leave at most five legs unused in all."""
     found, _ = searched("orientations: {lattice: 600-cell}, tour: fewest-stops")
-    _, corners = turns(found.order, lattice("600-cell"), False)
+    _, corners = turns(found.order, make_lattice("600-cell"), False)
     lengths = np.diff([0, *(np.flatnonzero(corners > 1e-4) + 1), 59])
     assert len(lengths) == 17
     assert Counter(lengths.tolist())[4] >= 10
@@ -124,7 +124,7 @@ def test_tours_of_the_600_cell_begin_and_end_where_they_should(start, end):
 
 @pytest.mark.parametrize("ends", ["", ", end: 9", ", start: 7, end: 60", ", closed: true, start: 4"])
 def test_a_600_cell_in_other_axes_and_another_order_has_the_same_tours(ends):
-    q = lattice("600-cell")
+    q = make_lattice("600-cell")
     q = (Rotation.random(rng=1) * Rotation.from_quat(q, scalar_first=True) * Rotation.random(rng=2)).as_quat(
         scalar_first=True
     )
@@ -133,7 +133,7 @@ def test_a_600_cell_in_other_axes_and_another_order_has_the_same_tours(ends):
     points = OrientationSet(q, tuple(str(i + 1) for i in range(60)), "list")
     for goal in ("fewest-stops", "least-turning"):
         made = problem(f"route: {{orientations: {{lattice: 600-cell}}, tour: {goal}{ends}}}")
-        found = tour(made, points)
+        found = find_tour(made, points)
         assert sorted(found.order) == list(range(60))
         angles, corners = turns(found.order, q, made.route.closed)
         np.testing.assert_allclose(angles, 72, atol=1e-6)
@@ -144,23 +144,25 @@ def test_a_600_cell_in_other_axes_and_another_order_has_the_same_tours(ends):
 
 
 def test_other_sets_of_sixty_are_not_taken_for_the_600_cell():
-    model, rng = lattice("600-cell"), np.random.default_rng(5)
+    model, rng = make_lattice("600-cell"), np.random.default_rng(5)
     other = model.copy()
     other[-1] = Rotation.random(rng=rng).as_quat(scalar_first=True)
-    for points in (other, model[:-1], unit_quaternions(rng, 60), lattice("24-cell")):
-        assert congruence(model, points) is None
-    assert congruence(model, model) is not None
+    for points in (other, model[:-1], unit_quaternions(rng, 60), make_lattice("24-cell")):
+        assert find_congruence(model, points) is None
+    assert find_congruence(model, model) is not None
 
 
 @pytest.mark.parametrize("digits", [4, 6, 8, 9, 10, 12])
 def test_a_600_cell_written_with_few_digits_is_the_lattice_or_refused(digits):
-    points = OrientationSet(lattice("600-cell").round(digits), tuple(str(i + 1) for i in range(60)), "list")
+    points = OrientationSet(
+        make_lattice("600-cell").round(digits), tuple(str(i + 1) for i in range(60)), "list"
+    )
     spec = problem("route: {orientations: {lattice: 600-cell}, tour: fewest-stops}")
     if digits < 10:
         with pytest.raises(InputError, match="needs a tour whose legs all have the minimal distance"):
-            tour(spec, points)
+            find_tour(spec, points)
     else:
-        assert {m.name: m.value for m in tour(spec, points).merits}["straight nodes"] == 42
+        assert {m.name: m.value for m in find_tour(spec, points).merits}["straight nodes"] == 42
 
 
 def test_end_alone_and_closed_from_a_start():
@@ -183,14 +185,14 @@ def test_the_24_cell_between_two_given_nodes():
 
 @pytest.mark.parametrize("name", ["16-cell", "tesseract", "120-cell"])
 def test_some_lattices_have_no_straight_nodes_at_all(name):
-    assert not Lines(lattice(name)).onward
+    assert not MinimalLegs(make_lattice(name)).onward
 
 
 def test_the_fewest_stops_save_what_they_should():
     for name, total in (("24-cell", 26.2), ("600-cell", 82.7)):
         made = problem(f"route: {{orientations: {{lattice: {name}}}, tour: fewest-stops}}")
-        points = orientations(made.route.orientations, Path())
-        way = route(points, tour(made, points))
+        points = read_orientations(made.route.orientations, Path())
+        way = lay_route(points, find_tour(made, points))
         assert limit_route(way, resolve_requirements(made, way)) == pytest.approx(total, rel=1e-12)
 
 
@@ -203,9 +205,9 @@ def test_the_fewest_stops_save_what_they_should():
     ],
 )
 def test_what_is_no_such_tour_is_refused(change, message):
-    lines = Lines(lattice("600-cell"))
+    lines = MinimalLegs(make_lattice("600-cell"))
     with pytest.raises(ValueError, match=message):
-        check(change(SHIPPED["600-cell"]["open"]["fewest-stops"][0]), lines, closed=False)
+        check_minimal(change(SHIPPED["600-cell"]["open"]["fewest-stops"][0]), lines, closed=False)
 
 
 CROSS = "orientations: {list: [[1,0,0,0], [0.96,0.28,0,0], [0.8,0.6,0,0], [0,0,1,0]]}"
@@ -245,23 +247,23 @@ def test_sets_without_a_tour_by_minimal_legs(spec, message):
 
 def test_counts_of_the_24_cell():
     """SOURCES: 4 848 and 86 784 by table 1; 1 257 984 per node and 15 095 808 on SO(3); 384 with five straight."""
-    lines = Lines(lattice("24-cell"))
+    lines = MinimalLegs(make_lattice("24-cell"))
     near = lines.neighbours
-    assert paths(near, 0) == 1_257_984
-    assert 12 * paths(near, 5) == 15_095_808
+    assert count_paths(near, 0) == 1_257_984
+    assert 12 * count_paths(near, 5) == 15_095_808
     table = [
-        [j for j in range(12) if abs(lattice("24-cell")[i] @ lattice("24-cell")[j] - 0.5) < 1e-9]
+        [j for j in range(12) if abs(make_lattice("24-cell")[i] @ make_lattice("24-cell")[j] - 0.5) < 1e-9]
         for i in range(12)
     ]
-    assert paths(table, 0) == 4_848
-    assert sum(paths(table, i) for i in range(12)) == 86_784
-    straight = by_straight_nodes(lines, 0, closed=False)
+    assert count_paths(table, 0) == 4_848
+    assert sum(count_paths(table, i) for i in range(12)) == 86_784
+    straight = count_by_straight_nodes(lines, 0, closed=False)
     assert straight[5] == 384
     assert sum(straight.values()) == 1_257_984
     # of the 96 closed ones with six, node 1 is a corner of half, and straight in the others
-    closed = by_straight_nodes(lines, 0, closed=True)
+    closed = count_by_straight_nodes(lines, 0, closed=True)
     assert closed[6] == 48
-    assert sum(closed.values()) == cycles(near, 0)
+    assert sum(closed.values()) == count_cycles(near, 0)
 
 
 def test_counts_of_the_tesseract_by_hand(capsys):

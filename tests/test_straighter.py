@@ -9,12 +9,12 @@ from scipy.spatial.transform import Rotation
 from tests.cases import problem
 from timelaw.errors import InputError
 from timelaw.orientations import OrientationSet
-from timelaw.orientations.lattices import lattice
-from timelaw.tours import tour
+from timelaw.orientations.lattices import make_lattice
+from timelaw.tours import find_tour
 from timelaw.tours.ends import Ends
-from timelaw.tours.lines import Lines
-from timelaw.tours.straight import STRAIGHT, TURNING, one
-from timelaw.tours.straighter import straighter
+from timelaw.tours.graph.minimal_legs import MinimalLegs
+from timelaw.tours.search.run_search_descent import descend
+from timelaw.tours.straightest import STRAIGHT, TURNING, count_corner
 
 
 def about_z(count, step):
@@ -26,7 +26,7 @@ def about_z(count, step):
 def made(q, spec):
     points = OrientationSet(q, tuple(str(i + 1) for i in range(len(q))), "list")
     spec = problem(f"route: {{orientations: {{lattice: 24-cell}}, {spec}}}")
-    found = tour(spec, points)
+    found = find_tour(spec, points)
     return found, {merit.name: merit for merit in found.merits}
 
 
@@ -67,7 +67,7 @@ PART = np.sort(np.random.default_rng(0).permutation(60)[:36])
 
 @pytest.mark.parametrize("spec", ["", ", closed: true", ", start: 3, end: 17"])
 def test_a_part_of_the_600_cell(spec):
-    q = lattice("600-cell")[PART]
+    q = make_lattice("600-cell")[PART]
     straight, merits = made(q, f"tour: fewest-stops{spec}")
     calm, others = made(q, f"tour: least-turning{spec}")
     closed = "closed" in spec
@@ -90,7 +90,7 @@ def test_a_part_of_the_600_cell(spec):
 
 def small_sets():
     """Nine nodes of the 600-cell each, in some of which minimal legs lead everywhere."""
-    q, rng = lattice("600-cell"), np.random.default_rng(8)
+    q, rng = make_lattice("600-cell"), np.random.default_rng(8)
     near = np.abs(q @ q.T) > 0.8
     for _ in range(8):
         chosen = [0]
@@ -112,13 +112,13 @@ def test_beside_all_orders_of_small_sets(ends):
     """The bound by counting holds, and the search finds the least there is."""
     compared = 0
     for q in small_sets():
-        lines = Lines(q)
+        lines = MinimalLegs(q)
         near = (np.abs(q @ q.T) > 0.8).tolist()
         orders = [
             o for o in permutations(range(9)) if ends.start in (None, o[0]) and not (ends.closed and o[0])
         ]
         best = min((corners_of(o, near, lines, ends.closed) for o in orders), default=np.inf)
-        order = straighter(lines, ends, one, 0.0)
+        order = descend(lines, ends, count_corner, 0.0)
         if best == np.inf:
             assert order is None
             continue

@@ -12,7 +12,7 @@ import pytest
 from tests.cases import PROBLEMS
 from timelaw.errors import InputError
 from timelaw.study import read_study, run_study
-from timelaw.study.table import study_csv
+from timelaw.study.table import format_study
 
 HEAD = "timelaw-study: 1\nname: test\nproblem: p.yaml\n"
 
@@ -47,7 +47,7 @@ def test_more_jerk_is_faster_and_the_table_says_so(study):
     durations = [outcome.duration for outcome in outcomes]
     assert durations == sorted(durations, reverse=True)
     assert all(outcome.holds for outcome in outcomes)
-    rows = list(csv.DictReader(study_csv(outcomes).splitlines()))
+    rows = list(csv.DictReader(format_study(outcomes).splitlines()))
     assert [float(row["time [s]"]) for row in rows] == durations
     assert rows[1]["limits.jerk"] == "600 deg/s^3"
     assert float(rows[1]["time [s]"]) == pytest.approx(28.8289, abs=1e-3)
@@ -88,7 +88,7 @@ def test_what_cannot_be_met_is_an_outcome(study):
         ("vary: {easing.degree: {from: 7, to: 9, steps: 1}}\n", "steps: 1; a whole number from 2 to 10000 is needed"),
         ("vary: {limits.jerk: [7 deg/s^3], limits: [{jerk: 1 deg/s^3}]}\n", '"limits.jerk" is a part of "limits"; vary one of them'),
         ("vary: {easing.degree: [7]}\nefort: jerk\n", 's.yaml:5:1: unknown key "efort"; allowed: timelaw-study, name, problem, vary, effort; did you mean "effort"?'),
-        ("vary: {easing.degree: [7]}\neffort: noise\n", 's.yaml:5:9: effort: "noise"; allowed: jerk, energy, snap, torque'),
+        ("vary: {easing.degree: [7]}\neffort: noise\n", 's.yaml:5:9: effort: "noise"; allowed: jerk, energy, torque, snap'),
     ],
 )  # fmt: skip
 def test_malformed_studies(study, text, message):

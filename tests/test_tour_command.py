@@ -12,9 +12,9 @@ from timelaw.cli.tour import run
 from timelaw.errors import InputError
 from timelaw.orientations.table import read_table
 from timelaw.pipeline import lay_out
+from timelaw.report.tour_text import describe_merits
 from timelaw.tours import Tour
 from timelaw.tours.merit import Merit
-from timelaw.tours.report import certificate
 
 
 def test_the_papers_tour(capsys):
@@ -76,7 +76,9 @@ def test_an_orientation_visited_twice_has_no_bound_but_a_tour(capsys, tmp_path):
         "[[0,0,0],[0,0,40],[0,0,0],[0,50,0]]}}\nlimits: {velocity: 60 deg/s}\nnodes: {continuity: 1}\n"
     )
     layout = lay_out(tmp_path / "p.yaml")
-    assert certificate(layout.tour) == ["length 130°; no bound is known for how much shorter a tour can be"]
+    assert describe_merits(layout.tour) == [
+        "length 130°; no bound is known for how much shorter a tour can be"
+    ]
     assert run(str(tmp_path / "p.yaml"), None, table=False, as_json=True) == 0
     assert "some orientations are the same, q and -q being one: 3 is 1" in capsys.readouterr().err
 
@@ -89,6 +91,6 @@ def test_the_picture_does_not_take_the_place_of_the_orientations(tmp_path):
 @pytest.mark.parametrize("value", [1 / 3, 0.0077686166, 12.34567891, 123456.789])
 def test_bounds_are_never_printed_above_what_is_proved(value):
     merit = Merit("turning", 2 * value, value, "counting")
-    (text,) = certificate(Tour((0, 1, 2), False, 1.0, 0.1, (merit,)))
+    (text,) = describe_merits(Tour((0, 1, 2), False, 1.0, 0.1, (merit,)))
     shown = float(text.split("than ")[1].split("°")[0])
     assert np.degrees(value) * (1 - 1e-5) < shown <= np.degrees(value)

@@ -9,16 +9,16 @@ import pytest
 
 from tests.cases import problem
 from timelaw.errors import InputError
-from timelaw.orientations import orientations
-from timelaw.tours import tour
+from timelaw.orientations import read_orientations
+from timelaw.tours import find_tour
 
 MINIMAL = {"16-cell": 180, "tesseract": 120, "24-cell": 120, "600-cell": 72, "120-cell": 31.044975628140147}
 
 
 def make(route: str):
     spec = problem(f"route: {{{route}}}")
-    points = orientations(spec.route.orientations, Path())
-    return tour(spec, points), points.quaternions
+    points = read_orientations(spec.route.orientations, Path())
+    return find_tour(spec, points), points.quaternions
 
 
 def leg_angles(stops, q):
@@ -31,7 +31,7 @@ def test_shortest_tours_visit_all_once_by_minimal_legs(name, closed):
     found, q = make(f"orientations: {{lattice: {name}}}, tour: shortest, closed: {closed}")
     assert sorted(found.order) == list(range(len(q)))
     assert found.order[0] == 0
-    np.testing.assert_allclose(leg_angles(found.stops(), q), MINIMAL[name], atol=1e-6)
+    np.testing.assert_allclose(leg_angles(found.visits(), q), MINIMAL[name], atol=1e-6)
     assert found.is_shortest
     assert np.degrees(found.length) == pytest.approx(found.legs * MINIMAL[name], rel=1e-12)
     assert (
@@ -59,7 +59,7 @@ def test_given_and_labels_and_closed():
     assert make(f"{LIST}, tour: given")[0].order == (0, 1, 2)
     closed = make(f"{LIST}, tour: [3, 1, 2], closed: true")[0]
     assert closed.order == (2, 0, 1)
-    assert closed.stops() == (2, 0, 1, 2)
+    assert closed.visits() == (2, 0, 1, 2)
     assert closed.legs == 3
 
 

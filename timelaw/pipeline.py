@@ -8,13 +8,13 @@ from timelaw.compose import compose_law
 from timelaw.easing.family import Family
 from timelaw.motion import QuaternionLaw
 from timelaw.nlp import Timings, optimise
-from timelaw.orientations import OrientationSet, orientations
-from timelaw.problem import Problem, Source, load
+from timelaw.orientations import OrientationSet, read_orientations
+from timelaw.problem import Problem, Source, load_problem
 from timelaw.progress import Progress
 from timelaw.requirements import Requirements, resolve_requirements
-from timelaw.route import Route, route
+from timelaw.route import Route, lay_route
 from timelaw.time_law import BASELINES, TimeLaw
-from timelaw.tours import Tour, tour
+from timelaw.tours import Tour, find_tour
 
 
 @dataclass(frozen=True)
@@ -61,7 +61,7 @@ def design(path: str | Path, progress: Progress | None = None) -> Design:
         InputError: the problem file, or a table it names, is wrong.
         InfeasibleError: no law was found.
     """
-    problem, source = load(path := Path(path))
+    problem, source = load_problem(path := Path(path))
     return design_problem(path, problem, source, progress)
 
 
@@ -88,16 +88,16 @@ def lay_out(path: str | Path, progress: Progress | None = None) -> Layout:
     Raises:
         InputError: the problem file, or a table it names, is wrong.
     """
-    problem, source = load(path := Path(path))
+    problem, source = load_problem(path := Path(path))
     return lay_out_problem(path, problem, source, progress)
 
 
 def lay_out_problem(path: Path, problem: Problem, source: Source, progress: Progress | None = None) -> Layout:
     """The orientations, the tour through them, the route it fixes, and what is required on that."""
     with source.placed():
-        points = orientations(problem.route.orientations, path.parent)
-        order = tour(problem, points, progress)
-        way = route(points, order)
+        points = read_orientations(problem.route.orientations, path.parent)
+        order = find_tour(problem, points, progress)
+        way = lay_route(points, order)
         requirements = resolve_requirements(problem, way)
     return Layout(path, problem, source, points, order, way, requirements)
 

@@ -6,7 +6,7 @@ from typing import NoReturn
 import click
 
 from timelaw import __version__
-from timelaw.cli.console import error_object, print_json
+from timelaw.cli.console import describe_error, print_json
 from timelaw.errors import EXIT_BAD_INPUT, EXIT_INTERRUPTED, Fault, TimelawError
 
 EXIT_CODES = """\b
@@ -102,5 +102,5 @@ def _failed(arguments: list[str], error: TimelawError, code: int | None = None) 
     for fault in error.faults:
         click.echo(f"timelaw: {fault}", err=True)
     if "--json" in arguments[: arguments.index("--") if "--" in arguments else None]:
-        print_json(error_object(error, code))
+        print_json(describe_error(error, code))
     return code

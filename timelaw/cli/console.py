@@ -21,7 +21,7 @@ def print_json(data: dict[str, Any]) -> None:
     print(json.dumps(data, indent=1, allow_nan=False))
 
 
-def error_object(error: TimelawError, code: int) -> dict[str, Any]:
+def describe_error(error: TimelawError, code: int) -> dict[str, Any]:
     """What `--json` prints of an error."""
     faults = [
         {"message": f.message, "where": f.where, "path": f.path, "line": f.line, "column": f.column}
@@ -31,7 +31,7 @@ def error_object(error: TimelawError, code: int) -> dict[str, Any]:
 
 
 @contextmanager
-def progress() -> Iterator[Progress | None]:
+def show_progress() -> Iterator[Progress | None]:
     """Report (stage, done, of) on stderr, on a terminal only."""
     if not sys.stderr.isatty():
         yield None

@@ -4,12 +4,12 @@ import hashlib
 from pathlib import Path
 from typing import Any
 
-from timelaw.cli.console import print_json, print_limits, print_table, progress, say
+from timelaw.cli.console import print_json, print_limits, print_table, say, show_progress
 from timelaw.errors import EXIT_DONE, EXIT_FINDINGS
-from timelaw.export import law_json, samples_csv
+from timelaw.export import format_law, format_samples
 from timelaw.files import write_text
 from timelaw.pipeline import Design, design
-from timelaw.report import LawRow, law_rows, report_files
+from timelaw.report import LawRow, list_law_rows, render_report
 
 RESULTS = Path("results")
 
@@ -17,14 +17,14 @@ RESULTS = Path("results")
 def run(problem: str, output: str | None, *, as_json: bool) -> int:
     """Design the law of a problem file and write its results; returns the exit code."""
     path = Path(problem)
-    with progress() as report:
+    with show_progress() as report:
         done = design(path, report)
         folder = Path(output) if output is not None else RESULTS / done.problem.name
         with done.source.placed():
             files = _files(done, path)
         for name, text in files.items():
             write_text(folder / name, text)
-    rows = law_rows(done)
+    rows = list_law_rows(done)
     certificate = done.optimised.certificate
     _print(done, rows, folder)
     code = EXIT_DONE if certificate.holds else EXIT_FINDINGS
@@ -56,9 +56,9 @@ def _files(done: Design, path: Path) -> dict[str, str]:
     }
     law = done.optimised.law
     return {
-        "law.json": law_json(law, done.optimised.certificate, provenance),
-        "samples.csv": samples_csv(law, done.problem.output.rate),
-        **report_files(done, digest),
+        "law.json": format_law(law, done.optimised.certificate, provenance),
+        "samples.csv": format_samples(law, done.problem.output.rate),
+        **render_report(done, digest),
     }
 
 

@@ -3,12 +3,12 @@
 from collections import defaultdict
 from pathlib import Path
 
-from timelaw.cli.console import print_json, print_table, progress, say
+from timelaw.cli.console import print_json, print_table, say, show_progress
 from timelaw.errors import EXIT_DONE, EXIT_FINDINGS, EXIT_INFEASIBLE
 from timelaw.files import write_text
-from timelaw.report.front import front
+from timelaw.report.figures.front import draw_front
 from timelaw.study import Outcome, Study, read_study, run_study
-from timelaw.study.table import cells, headings, study_csv
+from timelaw.study.table import format_study, list_cells, list_headings
 
 RESULTS = Path("results")
 HIDDEN = ("continuity", "easing", "status")  # in the CSV file; too wide for a screen
@@ -17,13 +17,13 @@ HIDDEN = ("continuity", "easing", "status")  # in the CSV file; too wide for a s
 def run(path: str, output: str | None, processes: int | None, *, as_json: bool) -> int:
     """Run a study and write its results; returns the exit code."""
     study = read_study(Path(path))
-    with progress() as report:
+    with show_progress() as report:
         outcomes = run_study(study, processes, report)
     folder = Path(output) if output is not None else RESULTS / study.name
-    files = {"sweep.csv": study_csv(outcomes)}
+    files = {"sweep.csv": format_study(outcomes)}
     groups = _groups(study, outcomes)
     if groups:
-        files["front.svg"] = front(study.name, study.effort, groups)
+        files["front.svg"] = draw_front(study.name, study.effort, groups)
     for name, text in files.items():
         write_text(folder / name, text)
     code = _code(outcomes)
@@ -64,8 +64,10 @@ def _groups(study: Study, outcomes: list[Outcome]) -> dict[str, list[tuple[float
 
 
 def _print(outcomes: list[Outcome], folder: Path) -> None:
-    columns = [name for name in headings(outcomes) if name not in HIDDEN]
-    rows = [[f"{c:.5g}" if isinstance(c, float) else str(c) for c in cells(o, columns)] for o in outcomes]
+    columns = [name for name in list_headings(outcomes) if name not in HIDDEN]
+    rows = [
+        [f"{c:.5g}" if isinstance(c, float) else str(c) for c in list_cells(o, columns)] for o in outcomes
+    ]
     print_table(columns, rows)
     for outcome in outcomes:
         if outcome.duration is None or not outcome.holds:

@@ -6,14 +6,15 @@ from typing import Any
 
 import numpy as np
 
-from timelaw.cli.console import print_json, print_table, progress, say
+from timelaw.cli.console import print_json, print_table, say, show_progress
 from timelaw.errors import EXIT_DONE, InputError
+from timelaw.export.orientations_csv import format_orientations
 from timelaw.files import write_text
 from timelaw.pipeline import Layout, lay_out
+from timelaw.report.tour_text import describe_merits, list_merit_data, list_notes, measure_arcs
 from timelaw.requirements.route_limit import limit_route
-from timelaw.tours import sharpened
-from timelaw.tours.report import arc_table, certificate, merit_data, notes, orientation_csv
-from timelaw.tours.straight import STRAIGHT
+from timelaw.tours import sharpen
+from timelaw.tours.straightest import STRAIGHT
 
 PICTURE = ".svg"
 
@@ -24,19 +25,19 @@ def run(problem: str, output: str | None, *, table: bool, as_json: bool) -> int:
         raise InputError(
             f'-o "{output}": it names the orientation file, such as tour.csv; the picture goes beside it'
         )
-    with progress() as report:
+    with show_progress() as report:
         layout = lay_out(problem, report)
-        layout = replace(layout, tour=sharpened(layout.tour, layout.orientations, report))
+        layout = replace(layout, tour=sharpen(layout.tour, layout.orientations, report))
     found = _summary(layout)
     _print(layout, found)
     if table:
         _print_distances(layout)
     if output is not None:
-        from timelaw.report.sphere import traces
+        from timelaw.report.figures.sphere import draw_traces
 
         path = Path(output)
-        write_text(path, orientation_csv(layout.orientations, layout.tour))
-        write_text(path.with_suffix(PICTURE), traces(layout.problem.name, layout.route))
+        write_text(path, format_orientations(layout.orientations, layout.tour))
+        write_text(path.with_suffix(PICTURE), draw_traces(layout.problem.name, layout.route))
         found["files"] = [str(path), str(path.with_suffix(PICTURE))]
         say(f"orientations in the tour's order: {path}; picture: {path.with_suffix(PICTURE)}")
     if as_json:
@@ -62,9 +63,9 @@ def _summary(layout: Layout) -> dict[str, Any]:
         "straight_nodes": route.straight_nodes,
         "runs": [len(run.angles) for run in requirements.runs(route)],
         "is_shortest": layout.tour.is_shortest,
-        "certificate": "; ".join(certificate(layout.tour)),
-        "merits": [merit_data(merit) for merit in layout.tour.merits],
-        "notes": notes(layout.orientations),
+        "certificate": "; ".join(describe_merits(layout.tour)),
+        "merits": [list_merit_data(merit) for merit in layout.tour.merits],
+        "notes": list_notes(layout.orientations),
         "time_over_runs": limit_route(route, requirements),
         "time_with_every_stop": limit_route(route, requirements, stop=True),
     }
@@ -83,7 +84,7 @@ def _print(layout: Layout, found: dict[str, Any]) -> None:
         for leg, node in zip(layout.route.legs, nodes[1:], strict=True)
     ]
     print_table(["leg", "angle [deg]", "axis (body)", "then", "axis turns [deg]"], rows)
-    for line in (*found["notes"], *certificate(layout.tour)):
+    for line in (*found["notes"], *describe_merits(layout.tour)):
         say(line)
     if not any(merit.name == STRAIGHT for merit in layout.tour.merits):
         say(
@@ -99,7 +100,7 @@ def _print(layout: Layout, found: dict[str, Any]) -> None:
 def _print_distances(layout: Layout) -> None:
     """Table 1 of [MMB2017]: arcs on S³ in degrees."""
     labels = list(layout.orientations.labels)
-    arcs = np.degrees(arc_table(layout.orientations))
+    arcs = np.degrees(measure_arcs(layout.orientations))
     print_table(
         ["arc [deg]", *labels],
         [[label, *(f"{a:.4g}" for a in row)] for label, row in zip(labels, arcs, strict=True)],

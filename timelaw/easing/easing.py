@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from timelaw.numerics.array import Array
-from timelaw.numerics.bernstein import derivative_rounding, differentiate, evaluate
+from timelaw.numerics.bernstein import bound_rounding, differentiate, evaluate
 from timelaw.numerics.polynomial import Polynomial
 
 Side = Literal["left", "right"]
@@ -59,7 +59,7 @@ class Easing:
         """The polynomials d^k f/dτ^k on the intervals, each over [0, 1]."""
         widths: list[float] = np.diff(self.breaks).tolist()
         return [
-            Polynomial(differentiate(piece, order), derivative_rounding(piece, order)) * width**-order
+            Polynomial(differentiate(piece, order), bound_rounding(piece, order)) * width**-order
             for piece, width in zip(self.pieces, widths, strict=True)
         ]
 

@@ -118,7 +118,7 @@ class SplineFamily:
     def closed_form(self, demands: Sequence[Demand]) -> tuple[Timing, ...]:
         """The double-S profile, a spline of degree 3; for smoother ones the smoothstep."""
         slow = smoothstep.time_run(demands, self.continuity)
-        if self.degree > PROFILE_DEGREE or profile_class(demands) < self.continuity:
+        if self.degree > PROFILE_DEGREE or classify_profile(demands) < self.continuity:
             return slow
         return min(slow, self.start(demands), key=lambda timings: sum(t.duration for t in timings))
 
@@ -131,7 +131,7 @@ class SplineFamily:
         return None
 
 
-def profile_class(demands: Sequence[Demand]) -> int:
+def classify_profile(demands: Sequence[Demand]) -> int:
     """The class C^k of the double-S profile: 2 where jerk is limited, 1 where acceleration is, else 0."""
     _, a, j = choose_bounds(demands)
     return 2 if j < float("inf") else 1 if a < float("inf") else 0

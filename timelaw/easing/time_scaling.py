@@ -5,7 +5,7 @@ from functools import partial
 
 from timelaw.easing.timing import Timing
 from timelaw.limits import Demand, Row
-from timelaw.limits.polynomials import row_polynomials
+from timelaw.limits.polynomials import expand_rows
 from timelaw.numerics.extrema import enclose_peaks
 
 CLEARANCE = 1e-12  # relative: covers the rounding of the stretched durations themselves
@@ -17,7 +17,7 @@ def list_used(demands: Sequence[Demand], timings: Sequence[Timing]) -> list[tupl
     found = [
         (row, polynomial)
         for demand, timing in zip(demands, timings, strict=True)
-        for row, _, polynomial in row_polynomials(demand.rows, partial(timing.rates, demand.angle))
+        for row, _, polynomial in expand_rows(demand.rows, partial(timing.rates, demand.angle))
     ]
     tops = enclose_peaks([polynomial for _, polynomial in found])
     return [(row, top.upper / row.bound) for (row, _), top in zip(found, tops, strict=True)]

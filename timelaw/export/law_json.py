@@ -13,7 +13,7 @@ from timelaw.motion import QuaternionLaw
 SOLVER_PACKAGES = ("casadi", "numpy")
 
 
-def law_json(law: QuaternionLaw, certificate: Certificate, provenance: dict[str, Any]) -> str:
+def format_law(law: QuaternionLaw, certificate: Certificate, provenance: dict[str, Any]) -> str:
     """The text of the law file. Python writes each double with the digits that read back bit for bit."""
     motion = to_document(law)
     document = {
@@ -22,12 +22,12 @@ def law_json(law: QuaternionLaw, certificate: Certificate, provenance: dict[str,
         **{k: v for k, v in motion.items() if k not in ("format", "version", "name")},
         "nodes": [node.to_dict() for node in certificate.continuity.nodes],
         "certificate": certificate.to_dict(),
-        "provenance": {**provenance, **versions()},
+        "provenance": {**provenance, **list_versions()},
     }
     return _layout(document) + "\n"
 
 
-def versions() -> dict[str, Any]:
+def list_versions() -> dict[str, Any]:
     """Versions of what computed the law."""
     packages = {name: version(name) for name in SOLVER_PACKAGES}
     return {"versions": {"timelaw": __version__, "python": platform.python_version(), **packages}}

@@ -18,7 +18,7 @@ HEADER = """\
 MAX_ROWS = 2_000_000
 
 
-def samples_csv(law: QuaternionLaw, rate: float) -> str:
+def format_samples(law: QuaternionLaw, rate: float) -> str:
     """The text of the table at `rate` [1/s].
 
     Raises:

@@ -6,7 +6,7 @@ from timelaw.limits.row import Row
 from timelaw.numerics.polynomial import Polynomial
 
 
-def row_polynomials(
+def expand_rows(
     rows: Sequence[Row], rates: Callable[[int], Sequence[Polynomial]]
 ) -> Iterator[tuple[Row, int, Polynomial]]:
     """Each row on each interval of a leg, as a polynomial in time; `rates(k)` lists the k-th rate's."""

@@ -12,7 +12,7 @@ from timelaw.easing import Easing, Timing
 from timelaw.easing.easing import Side
 from timelaw.limits import Bounds, Limit, list_rows
 from timelaw.limits.bounds import read_bounds, write_bounds
-from timelaw.limits.polynomials import row_polynomials
+from timelaw.limits.polynomials import expand_rows
 from timelaw.motion.schema import (
     LARGEST_ANGLE,
     NARROWEST,
@@ -133,7 +133,7 @@ class Arc:
     def quantities(self, limits: Sequence[Limit]) -> Iterator[Quantity]:
         """Rows about the axis, as polynomials in time on each interval."""
         breaks = self.breaks.tolist()
-        for row, piece, polynomial in row_polynomials(list_rows(limits, self.axis), self.rates):
+        for row, piece, polynomial in expand_rows(list_rows(limits, self.axis), self.rates):
             yield Quantity(row, polynomial, breaks[piece], breaks[piece + 1])
 
     def unit_vectors(self) -> tuple[Array, ...]:

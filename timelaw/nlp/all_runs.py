@@ -8,7 +8,7 @@ from timelaw.easing import Timing
 from timelaw.easing.time_scaling import used_fraction
 from timelaw.errors import Fault, InfeasibleError
 from timelaw.nlp.program import LEAST_PEAK, Budget, Program, RunProblem
-from timelaw.nlp.solution import Solution, Status, total
+from timelaw.nlp.solution import Solution, Status, sum_durations
 from timelaw.objectives import OBJECTIVES
 from timelaw.problem.objective import Goal
 from timelaw.requirements import Requirements
@@ -60,7 +60,7 @@ def solve_together(
     start = stretch_to(runs, least, given)
     elastic = all(run.elastic for run in runs)
     whole = len(budgets) == 1 and budgets[0].legs == len(least)
-    if elastic and whole and total(start) <= total(least) * (1 + AT_MINIMUM):
+    if elastic and whole and sum_durations(start) <= sum_durations(least) * (1 + AT_MINIMUM):
         return Solution(start, Status.OPTIMAL)
     solution = solve_from(program, start)
     if solution is not None and _holds(program, solution):
@@ -103,7 +103,7 @@ def stretch_to(
     passed, since, waiting = 0.0, 0.0, 0.0
     for deadline in given:
         legs = slice(len(timings), deadline.budget.legs)
-        left, needed = deadline.budget.time - passed, total(least[legs])
+        left, needed = deadline.budget.time - passed, sum_durations(least[legs])
         fixed = all(demand.duration is not None for demand in demands[legs])
         if fixed and abs(left - needed) > AT_MINIMUM * needed:
             message = f"fixed durations put {deadline.what} at {passed + needed + deadline.dwells:.6g} s"
@@ -134,8 +134,8 @@ def _on_time(runs: Sequence[RunProblem], solution: Solution, budgets: Sequence[B
     passed = 0.0
     for budget in budgets:
         part = list(zip(solution.timings, elastic, strict=True))[len(timings) : budget.legs]
-        free = total([timing for timing, may in part if may])
-        rest = total([timing for timing, may in part if not may])
+        free = sum_durations([timing for timing, may in part if may])
+        rest = sum_durations([timing for timing, may in part if not may])
         factor = (budget.time - passed - rest) / free if free else 1.0
         timings += [timing.stretched(factor) if may else timing for timing, may in part]
         passed = budget.time

@@ -16,7 +16,7 @@ from timelaw.easing.time_scaling import fit_to_limits, used_fraction
 from timelaw.nlp.extrema_search import add_extrema
 from timelaw.nlp.ipopt import Outcome, solve
 from timelaw.nlp.program import Program
-from timelaw.nlp.solution import Solution, Status, total
+from timelaw.nlp.solution import Solution, Status, sum_durations
 from timelaw.nlp.transcription import Points, pack, transcribe
 from timelaw.numerics.array import Array
 
@@ -87,7 +87,7 @@ def _closed(
     """Timings after the exact stretch, where there is one, and the gap that is left."""
     if program.elastic:
         timings = _fitted(program, found)
-        return timings, total(timings) / total(found) - 1
+        return timings, sum_durations(timings) / sum_durations(found) - 1
     excess = used_fraction(program.demands, found) / _used(program, outcome) - 1
     return found, excess if program.objective.scales_limits else excess + GAP  # within the margin, no gap
 

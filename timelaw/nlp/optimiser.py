@@ -8,7 +8,7 @@ from timelaw.errors import Fault, InfeasibleError
 from timelaw.nlp.all_runs import list_deadlines, solve_together
 from timelaw.nlp.program import RunProblem
 from timelaw.nlp.single_runs import solve_runs
-from timelaw.nlp.solution import Timings, total
+from timelaw.nlp.solution import Timings, sum_durations
 from timelaw.objectives import OBJECTIVES
 from timelaw.problem import Problem
 from timelaw.progress import Progress
@@ -37,7 +37,7 @@ def optimise(
     goal = problem.objective
     family, least = _least_within(problem, route, requirements, progress)
     runs = list_run_problems(route, requirements, family)
-    given = list_deadlines(route, requirements, goal, total(least.timings) + requirements.dwell_time)
+    given = list_deadlines(route, requirements, goal, sum_durations(least.timings) + requirements.dwell_time)
     if OBJECTIVES[goal.minimise].separable and not given:
         _check_durations(requirements, least.timings)
         return family, least
@@ -65,9 +65,9 @@ def _least_within(
     best: tuple[Family, Timings] | None = None
     for family in kind.families(easing, problem.nodes.continuity):
         least = solve_runs(list_run_problems(route, requirements, family), progress)
-        if best is None or total(least.timings) < total(best[1].timings):
+        if best is None or sum_durations(least.timings) < sum_durations(best[1].timings):
             best = family, least
-        if total(best[1].timings) <= enough:
+        if sum_durations(best[1].timings) <= enough:
             break
     if best is None:
         raise ValueError("no family of easings was given")

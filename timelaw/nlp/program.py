@@ -6,7 +6,7 @@ from functools import cached_property
 from timelaw.easing.family import Basis, Family
 from timelaw.limits import Demand
 from timelaw.objectives import OBJECTIVES, Objective
-from timelaw.requirements import RunDemand
+from timelaw.requirements.run_demand import RunDemand
 
 LEAST_TIME, LEAST_PEAK = OBJECTIVES["time"], OBJECTIVES["peak"]
 

@@ -54,7 +54,7 @@ class Solution:
     @property
     def duration(self) -> float:
         """Total time of the legs [s]."""
-        return total(self.timings)
+        return sum_durations(self.timings)
 
 
 @dataclass(frozen=True)
@@ -69,6 +69,6 @@ class Timings:
     of_run: tuple[int, ...]
 
 
-def total(timings: Sequence[Timing]) -> float:
+def sum_durations(timings: Sequence[Timing]) -> float:
     """Σ T_k [s]."""
     return sum(timing.duration for timing in timings)

@@ -35,7 +35,7 @@ def differentiate(control: ArrayLike, order: int = 1) -> Array:
     return c
 
 
-def derivative_rounding(control: Array, order: int) -> float:
+def bound_rounding(control: Array, order: int) -> float:
     """Bound on the rounding error of any control point of `differentiate(control, order)`.
 
     One difference of values of size m errs by at most 2 u m (u the unit roundoff, one for the
@@ -51,7 +51,7 @@ def derivative_rounding(control: Array, order: int) -> float:
 
 
 @cache
-def halving(degree: int) -> Array:
+def halving_matrix(degree: int) -> Array:
     """Matrix (2(n+1), n+1): control points of both halves of a polynomial of this degree."""
     left = np.array([[comb(i, j) / 2.0**i for j in range(degree + 1)] for i in range(degree + 1)])
     both = np.concatenate([left, left[::-1, ::-1]])

@@ -13,7 +13,7 @@ from typing import Protocol, Self
 import numpy as np
 
 from timelaw.numerics.array import Array
-from timelaw.numerics.bernstein import UNIT_ROUNDOFF, halving
+from timelaw.numerics.bernstein import UNIT_ROUNDOFF, halving_matrix
 
 GAP = 1e-13  # relative gap at which a bound is tight: a few hundred rounding errors
 FLOOR = 1e-290  # sizes below count as equal: subnormal numbers have no relative precision
@@ -50,7 +50,7 @@ def enclose_peaks(functions: Sequence[Bounded]) -> list[Peak]:
     return [found[i] for i in range(len(functions))]
 
 
-def peaks(polynomials: Sequence[Array]) -> list[Peak]:
+def enclose_polynomials(polynomials: Sequence[Array]) -> list[Peak]:
     """Enclose max |p| of each polynomial, given by control points (n+1,); in the given order.
 
     A polynomial with a control point that is not finite has an infinite peak.
@@ -90,7 +90,7 @@ def _branch_and_bound(stack: Array, degree: int) -> list[Peak]:
             break
         width /= 2
         error = np.repeat(error[open_] + rounding * hull[open_], 2)
-        pieces = (pieces[open_] @ halving(degree).T).reshape(-1, degree + 1)
+        pieces = (pieces[open_] @ halving_matrix(degree).T).reshape(-1, degree + 1)
         owner = np.repeat(owner[open_], 2)
         start = np.repeat(start[open_], 2)
         start[1::2] += width

@@ -8,7 +8,7 @@ import numpy as np
 
 from timelaw.numerics.array import Array
 from timelaw.numerics.bernstein import UNIT_ROUNDOFF, elevate
-from timelaw.numerics.extrema import Peak, peaks
+from timelaw.numerics.extrema import Peak, enclose_polynomials
 
 SCALAR_ROUNDING = 16 * UNIT_ROUNDOFF  # scalars are powers and quotients, themselves rounded a few times
 
@@ -59,5 +59,5 @@ class Polynomial:
     @classmethod
     def enclose_all(cls, functions: Sequence["Polynomial"]) -> list[Peak]:
         """Max |p| of each on [0, 1], its rounding in the upper bound."""
-        tops = peaks([p.control for p in functions])
+        tops = enclose_polynomials([p.control for p in functions])
         return [Peak(top.lower, top.upper + p.error, top.at) for top, p in zip(tops, functions, strict=True)]

@@ -11,8 +11,8 @@ from pathlib import Path
 
 from timelaw.files import read_text
 from timelaw.numerics.array import Array
-from timelaw.orientations.forms import Writing, quaternions
-from timelaw.orientations.table import fault, number
+from timelaw.orientations.forms import Writing, make_quaternions
+from timelaw.orientations.table import make_fault, read_number
 
 Point = tuple[int, list[float], bool]  # line, three angles, whether the point was indexed
 
@@ -30,8 +30,8 @@ def read_angles(path: Path) -> tuple[Array, int]:
     found = list(points(path))
     kept = [angles for _, angles, indexed in found if indexed]
     if len(kept) < 2:
-        raise fault(f"{len(kept)} indexed points; at least two are needed", path)
-    return quaternions(kept, Writing("euler", "ZXZ", unit)), len(found) - len(kept)
+        raise make_fault(f"{len(kept)} indexed points; at least two are needed", path)
+    return make_quaternions(kept, Writing("euler", "ZXZ", unit)), len(found) - len(kept)
 
 
 def _ang(path: Path) -> Iterator[Point]:
@@ -41,9 +41,9 @@ def _ang(path: Path) -> Iterator[Point]:
         if not cells or cells[0].startswith("#"):
             continue
         if len(cells) < 3:
-            raise fault(f"{len(cells)} values; phi1, Phi, phi2 are needed", path, line)
-        confidence = number(cells[ANG_CONFIDENCE], path, line) if len(cells) > ANG_CONFIDENCE else 0.0
-        yield line, [number(cell, path, line) for cell in cells[:3]], confidence >= 0
+            raise make_fault(f"{len(cells)} values; phi1, Phi, phi2 are needed", path, line)
+        confidence = read_number(cells[ANG_CONFIDENCE], path, line) if len(cells) > ANG_CONFIDENCE else 0.0
+        yield line, [read_number(cell, path, line) for cell in cells[:3]], confidence >= 0
 
 
 def _ctf(path: Path) -> Iterator[Point]:
@@ -52,15 +52,19 @@ def _ctf(path: Path) -> Iterator[Point]:
     names = [[cell.strip().lower() for cell in text.split("\t")] for text in lines]
     start = next((i for i, row in enumerate(names) if all(c in row for c in CTF_COLUMNS)), None)
     if start is None:
-        raise fault("no line names the columns Phase, Euler1, Euler2, Euler3", path)
+        raise make_fault("no line names the columns Phase, Euler1, Euler2, Euler3", path)
     phase, *angles = (names[start].index(c) for c in CTF_COLUMNS)
     for line, text in enumerate(lines[start + 1 :], start + 2):
         cells = text.split("\t") if "\t" in text else text.split()
         if not text.strip():
             continue
         if len(cells) <= max(phase, *angles):
-            raise fault(f"{len(cells)} values; {max(phase, *angles) + 1} are needed", path, line)
-        yield line, [number(cells[i], path, line) for i in angles], number(cells[phase], path, line) != 0
+            raise make_fault(f"{len(cells)} values; {max(phase, *angles) + 1} are needed", path, line)
+        yield (
+            line,
+            [read_number(cells[i], path, line) for i in angles],
+            read_number(cells[phase], path, line) != 0,
+        )
 
 
 READERS: dict[str, tuple[Callable[[Path], Iterator[Point]], str]] = {

@@ -42,13 +42,13 @@ class Form:
         return len(self.columns[0])
 
 
-def fault_in(row: Sequence[float], writing: Writing) -> str:
+def find_fault(row: Sequence[float], writing: Writing) -> str:
     """What is wrong with one row of numbers; empty if nothing is."""
     form = FORMS[writing.form]
     return form.check(np.array(row)) if len(row) == form.width else f"expected {form.name}"
 
 
-def quaternions(rows: Sequence[Sequence[float]], writing: Writing) -> Array:
+def make_quaternions(rows: Sequence[Sequence[float]], writing: Writing) -> Array:
     """Unit quaternions (N, 4) of rows that have no fault."""
     form, table = FORMS[writing.form], np.array(rows, dtype=float)
     if writing.unit == "deg" and writing.form in ("rotation-vector", "euler"):

@@ -19,7 +19,7 @@ Vertex = tuple[float, ...]
 PHI = (1 + sqrt(5)) / 2
 
 
-def lattice(name: str) -> Array:
+def make_lattice(name: str) -> Array:
     """Unit quaternions (N, 4) of a halved polytope: N = 4, 8, 12, 60, 300."""
     return LATTICES[name]()
 

@@ -9,12 +9,12 @@ from timelaw.errors import Fault, InputError, list_some
 from timelaw.numerics.array import Array
 from timelaw.numerics.quaternion import multiply
 from timelaw.orientations.angle_files import READERS, read_angles
-from timelaw.orientations.equivalence import firsts, rotation_group
-from timelaw.orientations.forms import Writing, fault_in, quaternions
-from timelaw.orientations.lattices import lattice
-from timelaw.orientations.spread import fill_distance, separation
+from timelaw.orientations.equivalence import find_firsts, make_rotation_group
+from timelaw.orientations.forms import Writing, find_fault, make_quaternions
+from timelaw.orientations.lattices import make_lattice
+from timelaw.orientations.spread import measure_covering_radius, measure_separation
 from timelaw.orientations.table import read_table
-from timelaw.orientations.uniform import uniform
+from timelaw.orientations.uniform import make_uniform
 from timelaw.problem.route import Orientations
 
 
@@ -40,7 +40,7 @@ class OrientationSet:
         return len(self.labels)
 
 
-def orientations(spec: Orientations, folder: Path) -> OrientationSet:
+def read_orientations(spec: Orientations, folder: Path) -> OrientationSet:
     """Resolve what the problem file says; file paths are relative to `folder`.
 
     Raises:
@@ -57,13 +57,12 @@ def orientations(spec: Orientations, folder: Path) -> OrientationSet:
 def _read(spec: Orientations, folder: Path) -> OrientationSet:
     """The orientations as they are written."""
     if spec.lattice is not None:
-        points = lattice(spec.lattice)
+        points = make_lattice(spec.lattice)
         return OrientationSet(points, _numbers(len(points)), spec.lattice, spec.lattice)
     if spec.uniform is not None:
-        points, name = uniform(spec.uniform.fill)
-        spread = (
-            f"separation {np.degrees(separation(points)):.2f}°, fill {np.degrees(fill_distance(points)):.2f}°"
-        )
+        points, name = make_uniform(spec.uniform.fill)
+        apart, fill = np.degrees([measure_separation(points), measure_covering_radius(points)])
+        spread = f"separation {apart:.2f}°, fill {fill:.2f}°"
         note = f"{name or 'super-Fibonacci spiral'} of {len(points)} orientations, {spread}"
         return OrientationSet(points, _numbers(len(points)), name or "uniform", name, notes=(note,))
     writing = None
@@ -73,10 +72,10 @@ def _read(spec: Orientations, folder: Path) -> OrientationSet:
         return _from_file(spec, folder / spec.file, writing)
     rows = spec.list or ()
     for index, row in enumerate(rows):
-        wrong = fault_in(row, writing or Writing())
+        wrong = find_fault(row, writing or Writing())
         if wrong:
             raise InputError(Fault(wrong, f"route.orientations.list[{index + 1}]"))
-    points = quaternions(rows, writing or Writing())
+    points = make_quaternions(rows, writing or Writing())
     return OrientationSet(points, _numbers(len(points)), "list")
 
 
@@ -96,10 +95,10 @@ def _from_file(spec: Orientations, path: Path, writing: Writing | None) -> Orien
 
 def _merged(found: OrientationSet, spec: Orientations) -> OrientationSet:
     """Without those that are the same, if that is asked for; otherwise they are only named."""
-    group = rotation_group(spec.symmetry) if spec.symmetry is not None else None
+    group = make_rotation_group(spec.symmetry) if spec.symmetry is not None else None
     if found.lattice is not None and group is None:
         return found  # vertices of a polytope are apart
-    first = firsts(found.quaternions, spec.tolerance, group)
+    first = find_firsts(found.quaternions, spec.tolerance, group)
     pairs = tuple((found.labels[j], found.labels[i]) for i, j in enumerate(first) if i != j)
     if not pairs:
         return found

@@ -6,7 +6,7 @@ from timelaw.numerics.array import Array
 from timelaw.numerics.quaternion import angle_between
 
 
-def separation(quaternions: Array) -> float:
+def measure_separation(quaternions: Array) -> float:
     """Least rotation angle [rad] between two orientations of the set (N, 4), N ≥ 2."""
     from scipy.spatial import cKDTree
 
@@ -15,7 +15,7 @@ def separation(quaternions: Array) -> float:
     return float(np.min(angle_between(quaternions, both[near[:, 1]])))
 
 
-def fill_distance(quaternions: Array) -> float:
+def measure_covering_radius(quaternions: Array) -> float:
     """Largest rotation angle [rad] of any orientation from the nearest of the set (N, 4).
 
     The facets of the convex hull of ±q on S³ are the cells of its Delaunay triangulation; what is

@@ -9,7 +9,7 @@ from pathlib import Path
 from timelaw.errors import Fault, InputError
 from timelaw.files import read_text
 from timelaw.numerics.array import Array
-from timelaw.orientations.forms import FORMS, Writing, fault_in, quaternions
+from timelaw.orientations.forms import FORMS, Writing, find_fault, make_quaternions
 from timelaw.units import MOST
 
 LABEL = "label"
@@ -36,7 +36,7 @@ def read_table(
     rows = _rows(path)
     if not rows:
         needed = ",".join(columns or form.columns[0])
-        raise fault(f"no rows; a header {needed} and a row per orientation are needed", path)
+        raise make_fault(f"no rows; a header {needed} and a row per orientation are needed", path)
     header = [name.strip().lower() for name in rows[0][1]]
     if writing and not columns and all(NUMBER.fullmatch(name) for name in header if name):
         places, labels = list(range(form.width)), None
@@ -46,8 +46,8 @@ def read_table(
         labels = _labels(header, rows, path)
     table = [_numbers(row, places, path, line, writing or Writing()) for line, row in rows]
     if len(table) < 2:
-        raise fault(f"{len(table)} orientations; at least two are needed", path)
-    return quaternions(table, writing or Writing()), labels
+        raise make_fault(f"{len(table)} orientations; at least two are needed", path)
+    return make_quaternions(table, writing or Writing()), labels
 
 
 def _places(
@@ -68,10 +68,10 @@ def _places(
         needed = " or ".join(", ".join(option) for option in options[:1])
         others = "".join(f" (or {', '.join(option)})" for option in options[1:])
         message = f"the header has {', '.join(header)}; columns {needed}{others} are needed"
-        raise fault(message, path, line)
+        raise make_fault(message, path, line)
     repeated = next((name for name in header if name and header.count(name) > 1), None)
     if repeated is not None:
-        raise fault(f'the header names "{repeated}" more than once', path, line)
+        raise make_fault(f'the header names "{repeated}" more than once', path, line)
     return [header.index(name) for name in wanted]
 
 
@@ -92,27 +92,27 @@ def _rows(path: Path) -> list[Row]:
     try:
         rows.extend((comments + reader.line_num, row) for row in reader if any(cell.strip() for cell in row))
     except csv.Error as error:
-        raise fault(f"not readable as CSV: {error}", path, comments + reader.line_num) from None
+        raise make_fault(f"not readable as CSV: {error}", path, comments + reader.line_num) from None
     return rows
 
 
 def _numbers(row: list[str], places: list[int], path: Path, line: int, writing: Writing) -> list[float]:
     if len(row) <= max(places):
-        raise fault(f"{len(row)} values; {max(places) + 1} are needed", path, line)
-    numbers = [number(row[i], path, line) for i in places]
-    wrong = fault_in(numbers, writing)
+        raise make_fault(f"{len(row)} values; {max(places) + 1} are needed", path, line)
+    numbers = [read_number(row[i], path, line) for i in places]
+    wrong = find_fault(numbers, writing)
     if wrong:
-        raise fault(wrong, path, line)
+        raise make_fault(wrong, path, line)
     return numbers
 
 
-def number(cell: str, path: Path, line: int) -> float:
+def read_number(cell: str, path: Path, line: int) -> float:
     """A cell as a number that can be reckoned with."""
     text = cell.strip()
     if not NUMBER.fullmatch(text):
-        raise fault(f'"{text}" is not a number', path, line)
+        raise make_fault(f'"{text}" is not a number', path, line)
     if not abs(value := float(text)) <= MOST:
-        raise fault(f'"{text}" is out of range; {MOST:g} at most is allowed', path, line)
+        raise make_fault(f'"{text}" is out of range; {MOST:g} at most is allowed', path, line)
     return value
 
 
@@ -124,13 +124,13 @@ def _labels(header: list[str], rows: list[Row], path: Path) -> tuple[str, ...] |
     for line, row in rows:
         label = row[place].strip() if place < len(row) else ""
         if not label or label in seen:
-            raise fault(
+            raise make_fault(
                 f'label "{label}" stands in line {seen[label]} too' if label else "no label", path, line
             )
         seen[label] = line
     return tuple(seen)
 
 
-def fault(message: str, path: Path, line: int | None = None) -> InputError:
+def make_fault(message: str, path: Path, line: int | None = None) -> InputError:
     """What is wrong with a table, and where."""
     return InputError(Fault(message, "", str(path), line, 1 if line is not None else None))

@@ -9,8 +9,8 @@ import numpy as np
 
 from timelaw.errors import Fault, InputError
 from timelaw.numerics.array import Array
-from timelaw.orientations.lattices import LATTICES, lattice
-from timelaw.orientations.spread import fill_distance
+from timelaw.orientations.lattices import LATTICES, make_lattice
+from timelaw.orientations.spread import measure_covering_radius
 
 PSI = 1.533751168755204288118041  # the root > 1 of x⁴ = x + 4
 MOST = 5000  # what a tour can be searched for
@@ -19,7 +19,7 @@ STEP = 1.02  # sets grow by this factor until one is fine enough
 ROUNDING = 1e-9  # of the fill distance: 90° is what the 24-cell has
 
 
-def super_fibonacci(count: int) -> Array:
+def make_spiral(count: int) -> Array:
     """`count` orientations (count, 4) along a spiral."""
     s = np.arange(count) + 0.5
     inner, outer = np.sqrt(s / count), np.sqrt(1 - s / count)
@@ -29,7 +29,7 @@ def super_fibonacci(count: int) -> Array:
     )
 
 
-def uniform(fill: float) -> tuple[Array, str | None]:
+def make_uniform(fill: float) -> tuple[Array, str | None]:
     """A set whose fill distance is at most `fill` [rad], and the lattice's name if it is one.
 
     The smallest of the lattices that do, otherwise the first spiral in a growing series.
@@ -38,14 +38,14 @@ def uniform(fill: float) -> tuple[Array, str | None]:
         InputError: it needs more orientations than a tour is searched for.
     """
     for name in LATTICES:  # in the order of their sizes
-        if fill_distance(points := lattice(name)) <= fill * (1 + ROUNDING):
+        if measure_covering_radius(points := make_lattice(name)) <= fill * (1 + ROUNDING):
             return points, name
     count = int(NEEDED / fill**3)
     while count <= MOST:
-        points = super_fibonacci(count)
-        if fill_distance(points) <= fill:
+        points = make_spiral(count)
+        if measure_covering_radius(points) <= fill:
             return points, None
         count = max(count + 1, int(count * STEP))
-    reached = np.degrees(fill_distance(super_fibonacci(MOST)))
+    reached = np.degrees(measure_covering_radius(make_spiral(MOST)))
     message = f"{np.degrees(fill):.4g}° needs more than {MOST} orientations, which reach {reached:.2f}°"
     raise InputError(Fault(message, "route.orientations.uniform.fill"))

@@ -24,14 +24,14 @@ def fault(message: str, *where: str) -> PydanticCustomError:
     return PydanticCustomError("timelaw", "{message}", {"message": message, "where": where})
 
 
-def quoted(value: Any) -> str:
+def quote(value: Any) -> str:
     """A value as a message shows it."""
     if isinstance(value, bool):
         return str(value).lower()
     return f'"{value}"' if isinstance(value, str) else f"{value}"
 
 
-def nearest(given: Any, allowed: Iterable[str], *others: str) -> str:
+def suggest(given: Any, allowed: Iterable[str], *others: str) -> str:
     """The allowed values as a text, the likeliest name pointed out."""
     names = list(allowed)
     close = get_close_matches(str(given), names, n=1, cutoff=0.6)
@@ -73,7 +73,7 @@ def quantity(kind: Kind, least: float = LEAST, most: float = MOST) -> Reader:
     return Reader(lambda value: read_quantity(value, kind, least, most), kind)
 
 
-def fraction() -> Reader:
+def percentage() -> Reader:
     """For a field that holds a small part of something, written as "1 %" or as a number below 1."""
 
     def check(value: Any) -> float:
@@ -83,7 +83,7 @@ def fraction() -> Reader:
         except ValueError:
             number = 0.0
         if isinstance(value, bool) or not 1e-5 <= number < 1:
-            raise fault(f'{quoted(value)}; a part from 0.001 % to less than 100 % is needed, like "1 %"')
+            raise fault(f'{quote(value)}; a part from 0.001 % to less than 100 % is needed, like "1 %"')
         return number
 
     return Reader(check, Kind("a part of a whole", (0, 0, 0, 0), "1 %", "1"))
@@ -101,7 +101,7 @@ class Choice:
 
     def _check(self, value: Any) -> Any:
         if value not in self.names:
-            raise fault(f"{quoted(value)}; allowed: {nearest(value, self.names)}")
+            raise fault(f"{quote(value)}; allowed: {suggest(value, self.names)}")
         return value
 
     def __get_pydantic_json_schema__(self, *_: Any) -> dict[str, Any]:
@@ -138,7 +138,7 @@ def tour_or_labels(names: tuple[str, ...]) -> Callable[[Any], Any]:
     def check(value: Any) -> Any:
         if not isinstance(value, list):
             if value not in names:
-                raise fault(f"{quoted(value)}; allowed: {nearest(value, names, 'or a list of labels')}")
+                raise fault(f"{quote(value)}; allowed: {suggest(value, names, 'or a list of labels')}")
             return value
         if len(value) < 2:
             raise fault("a tour needs at least two labels")

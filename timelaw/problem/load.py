@@ -8,7 +8,7 @@ from pydantic_core import ErrorDetails
 
 from timelaw.errors import Fault, InputError
 from timelaw.files import read_text
-from timelaw.problem.fields import nearest, quoted
+from timelaw.problem.fields import quote, suggest
 from timelaw.problem.problem import NAME, Problem
 from timelaw.problem.route import SEQUENCE
 from timelaw.problem.source import KeyPath, Source, read
@@ -16,22 +16,22 @@ from timelaw.problem.source import KeyPath, Source, read
 VERSION = 1
 
 
-def load(path: Path) -> tuple[Problem, Source]:
+def load_problem(path: Path) -> tuple[Problem, Source]:
     """Read and check the problem file at `path`; the source knows the place of every key.
 
     Raises:
         InputError: with one fault per line, each with file:line:column.
     """
     source = read(read_text(path), str(path))
-    return check(source), source
+    return check_problem(source), source
 
 
-def parse(text: str, path: str = "<problem>") -> Problem:
+def parse_problem(text: str, path: str = "<problem>") -> Problem:
     """Check the text of a problem file; `path` is named in the messages."""
-    return check(read(text, path))
+    return check_problem(read(text, path))
 
 
-def check(source: Source) -> Problem:
+def check_problem(source: Source) -> Problem:
     """The problem that a source holds.
 
     Raises:
@@ -39,7 +39,7 @@ def check(source: Source) -> Problem:
     """
     version = source.data.get("timelaw")
     if "timelaw" in source.data and (version != VERSION or isinstance(version, bool)):
-        message = f"{quoted(version)}; this program reads problem files of version {VERSION}"
+        message = f"{quote(version)}; this program reads problem files of version {VERSION}"
         raise InputError(source.fault(("timelaw",), message))
     try:
         return Problem.model_validate(source.data)
@@ -58,7 +58,7 @@ def _fault(source: Source, details: ErrorDetails, model: type[BaseModel]) -> Fau
     kind, given, context = details["type"], details["input"], details.get("ctx", {})
     if kind == "extra_forbidden":
         fields = _model_at(model, where[:-1]).model_fields
-        allowed = nearest(where[-1], [field.alias or name for name, field in fields.items()])
+        allowed = suggest(where[-1], [field.alias or name for name, field in fields.items()])
         return source.fault(where[:-1], f'unknown key "{where[-1]}"; allowed: {allowed}').at(
             source.keys.get(where)
         )
@@ -66,7 +66,7 @@ def _fault(source: Source, details: ErrorDetails, model: type[BaseModel]) -> Fau
         return source.fault(where[:-1], f'missing key "{where[-1]}"')
     if kind == "timelaw":
         return source.fault((*where, *context["where"]), details["msg"])
-    return source.fault(where, f"{quoted(given)}; {_expectation(kind, given, context, details['msg'])}")
+    return source.fault(where, f"{quote(given)}; {_expectation(kind, given, context, details['msg'])}")
 
 
 PATTERNS = {
@@ -79,7 +79,7 @@ def _expectation(kind: str, given: Any, context: dict[str, Any], message: str) -
     """What is allowed instead, in the words of this program."""
     if kind == "literal_error":
         options = context["expected"].replace(" or ", ", ").replace("'", "").split(", ")
-        return f"allowed: {nearest(given, options)}"
+        return f"allowed: {suggest(given, options)}"
     return {
         "bool_type": "allowed: true, false",
         "int_type": "a whole number is needed",

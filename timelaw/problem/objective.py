@@ -6,7 +6,7 @@ from typing import Annotated, Any, Self
 from pydantic import BeforeValidator, Field, WithJsonSchema, model_validator
 
 from timelaw.objectives import OBJECTIVES
-from timelaw.problem.fields import Model, fault, one_of, quoted, read_quantity
+from timelaw.problem.fields import Model, fault, one_of, quote, read_quantity
 from timelaw.units import MOST, TIME
 
 RELATIVE = " x minimum"
@@ -76,5 +76,5 @@ def read_goal(value: Any) -> Any:
     if value == "time":
         return Goal()
     if not isinstance(value, dict):
-        raise fault(f"{quoted(value)}; allowed: time, or a mapping like {{minimise: jerk, total_time: 60 s}}")
+        raise fault(f"{quote(value)}; allowed: time, or a mapping like {{minimise: jerk, total_time: 60 s}}")
     return value

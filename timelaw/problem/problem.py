@@ -10,7 +10,7 @@ from timelaw.limits import LIMITS
 from timelaw.numerics.array import Array
 from timelaw.objectives import OBJECTIVES
 from timelaw.problem.body import Body
-from timelaw.problem.fields import Model, as_tuple, fault, fraction, one_of, quantity
+from timelaw.problem.fields import Model, as_tuple, fault, one_of, percentage, quantity
 from timelaw.problem.limits import Limits
 from timelaw.problem.nodes import Nodes, SegmentRule
 from timelaw.problem.objective import Goal, read_goal
@@ -28,7 +28,7 @@ class EasingModel(Model):
     basis: Annotated[str, one_of(BASES)] = "polynomial"
     degree: Annotated[int, Field(ge=3, le=MAX_DEGREE)] | None = None
     intervals: Annotated[int, Field(ge=1, le=MAX_INTERVALS)] | None = None
-    within: Annotated[float | None, fraction()] = None
+    within: Annotated[float | None, percentage()] = None
 
     @property
     def kind(self) -> BasisKind:

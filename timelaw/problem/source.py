@@ -39,7 +39,7 @@ class Source:
             place = self.values.get(parent)
             parent = parent[:-1]
         line, column = place or (1, 1)
-        return Fault(message, dotted(where), self.path, line, column)
+        return Fault(message, write_path(where), self.path, line, column)
 
     def with_values(self, values: Mapping[str, Any]) -> "Source":
         """The same document with other values at dotted keys, which may be new."""
@@ -68,7 +68,7 @@ class Source:
         return self.fault(_path(fault.where), fault.message)
 
 
-def dotted(path: KeyPath) -> str:
+def write_path(path: KeyPath) -> str:
     """("a", 0, "b") → a[1].b: items are counted from 1, as people and lines are."""
     text = ""
     for part in path:

@@ -1,6 +1,6 @@
 """The comparison report: verdict, laws side by side, pictures, continuity, and how it was solved."""
 
-from timelaw.report.html import report_files
-from timelaw.report.summary import LawRow, law_rows
+from timelaw.report.page import render_report
+from timelaw.report.summary import LawRow, list_law_rows
 
-__all__ = ["LawRow", "law_rows", "report_files"]
+__all__ = ["LawRow", "list_law_rows", "render_report"]

@@ -8,7 +8,7 @@ from timelaw.motion import QuaternionLaw, Segment
 from timelaw.numerics.array import Array
 from timelaw.numerics.bernstein import evaluate
 from timelaw.numerics.extrema import enclose_peaks
-from timelaw.report.curves import POINTS_PER_DEGREE
+from timelaw.report.figures.curves import POINTS_PER_DEGREE
 
 ACTIVE = 0.999  # of a limit; solvers leave a millionth, what is used to this part is what bounds the law
 

@@ -46,7 +46,7 @@ class RunRow:
     gap: float
 
 
-def law_rows(design: Design) -> list[LawRow]:
+def list_law_rows(design: Design) -> list[LawRow]:
     """The optimised law first, then the baselines."""
     slowest = time_quintic(design.requirements).duration
     least = limit_route(design.route, design.requirements)
@@ -67,7 +67,7 @@ def _row(entry: Certified, slowest: float, least: float) -> LawRow:
     )
 
 
-def run_rows(design: Design) -> list[RunRow]:
+def list_run_rows(design: Design) -> list[RunRow]:
     """The distinct runs, in the order in which the route meets them; or all of them as one, if solved so."""
     runs = design.requirements.by_run(design.route)
     if len(design.solution.solutions[0].timings) == len(design.route.legs):
@@ -94,7 +94,7 @@ def _run_row(count: int, demands: Sequence[Demand], least: float, solution: Solu
     )
 
 
-def efforts(design: Design) -> dict[str, float]:
+def measure_efforts(design: Design) -> dict[str, float]:
     """∫ of each effort over the optimised law, those that need the inertia only where it is known."""
     known = design.requirements.inertia is not None
     return {

@@ -7,8 +7,8 @@ from timelaw.errors import Fault, InputError, list_some
 from timelaw.limits import Bounds, Demand, drop_implied, list_rows, make_limits
 from timelaw.limits.torque import square_torque
 from timelaw.numerics.array import Array
+from timelaw.problem import Problem
 from timelaw.problem.nodes import NodeRule, SegmentRule
-from timelaw.problem.problem import Problem
 from timelaw.problem.route import SEARCHED
 from timelaw.requirements.run_demand import RunDemand
 from timelaw.route import Route, Run

@@ -85,16 +85,16 @@ class Route:
         return multiply(start, from_axis_angle(axis, self.angles[index] * (sigma - index)))
 
 
-def route(points: OrientationSet, tour: Tour) -> Route:
+def lay_route(points: OrientationSet, tour: Tour) -> Route:
     """Join the visits of a tour by great-circle arcs.
 
     Raises:
         InputError: two visits in a row are the same orientation.
     """
-    stops = tour.stops()
-    labels = [points.labels[i] for i in stops]
-    visits = points.quaternions[list(stops)]
-    turns = [find_turn(visits[k], visits[k + 1]) for k in range(len(stops) - 1)]
+    order = tour.visits()
+    labels = [points.labels[i] for i in order]
+    visits = points.quaternions[list(order)]
+    turns = [find_turn(visits[k], visits[k + 1]) for k in range(len(order) - 1)]
     for k, turn in enumerate(turns):
         if turn.angle < LEAST_ANGLE:
             message = f'"{labels[k]}" and "{labels[k + 1]}" follow each other and are the same orientation'

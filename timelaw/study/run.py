@@ -8,9 +8,10 @@ from typing import Any
 
 from timelaw.errors import InputError, TimelawError
 from timelaw.pipeline import Design, design_problem
-from timelaw.problem.load import check
+from timelaw.problem.load import check_problem
 from timelaw.progress import Progress
-from timelaw.report.summary import efforts, law_rows
+from timelaw.report import list_law_rows
+from timelaw.report.summary import measure_efforts
 from timelaw.study.study import Study
 
 
@@ -62,7 +63,7 @@ def run_study(study: Study, processes: int | None = None, progress: Progress | N
 def _check(study: Study, point: dict[str, Any]) -> None:
     """Whether a point makes a problem file; what is wrong is told at the study's key."""
     try:
-        check(study.base.with_values(point))
+        check_problem(study.base.with_values(point))
     except InputError as error:
         values = ", ".join(f"{key} = {value}" for key, value in point.items())
         faults = [f"with {values}: {fault.where}: {fault.message}" for fault in error.faults]
@@ -73,7 +74,7 @@ def run_point(study: Study, point: dict[str, Any]) -> Outcome:
     """Design one point."""
     source = study.base.with_values(point)
     try:
-        return _outcome(point, design_problem(study.path, check(source), source))
+        return _outcome(point, design_problem(study.path, check_problem(source), source))
     except InputError:
         raise
     except TimelawError as error:
@@ -81,7 +82,7 @@ def run_point(study: Study, point: dict[str, Any]) -> Outcome:
 
 
 def _outcome(point: dict[str, Any], design: Design) -> Outcome:
-    row = law_rows(design)[0]
+    row = list_law_rows(design)[0]
     status = sorted({s.status.value for s in design.solution.solutions})
     return Outcome(
         point,
@@ -89,7 +90,7 @@ def _outcome(point: dict[str, Any], design: Design) -> Outcome:
         row.duration,
         row.to_limit,
         row.continuity,
-        efforts(design),
+        measure_efforts(design),
         row.peaks,
         design.family.label,
         "; ".join(status if row.holds else design.optimised.certificate.findings()),

@@ -14,9 +14,10 @@ from pydantic import BeforeValidator, Field, ValidationError
 from timelaw.errors import InputError
 from timelaw.files import read_text
 from timelaw.objectives import EFFORTS
+from timelaw.problem import Source
 from timelaw.problem.fields import Model, fault, one_of
 from timelaw.problem.load import translate
-from timelaw.problem.source import Source, read
+from timelaw.problem.source import read
 
 MOST_DESIGNS = 10_000
 WITH_UNIT = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*$")

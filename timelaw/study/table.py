@@ -8,7 +8,7 @@ from typing import Any
 from timelaw.study.run import Outcome
 
 
-def headings(outcomes: Sequence[Outcome]) -> list[str]:
+def list_headings(outcomes: Sequence[Outcome]) -> list[str]:
     """Varied keys, then what was found; limits and efforts that occur anywhere."""
     efforts = list(dict.fromkeys(name for o in outcomes for name in o.efforts))
     peaks = list(dict.fromkeys(name for o in outcomes for name in o.peaks))
@@ -25,7 +25,7 @@ def headings(outcomes: Sequence[Outcome]) -> list[str]:
     ]
 
 
-def cells(outcome: Outcome, columns: Sequence[str]) -> list[Any]:
+def list_cells(outcome: Outcome, columns: Sequence[str]) -> list[Any]:
     """One row, with nothing where nothing was found."""
     found: dict[str, Any] = {
         **outcome.point,
@@ -41,12 +41,12 @@ def cells(outcome: Outcome, columns: Sequence[str]) -> list[Any]:
     return ["" if found.get(name) is None else found[name] for name in columns]
 
 
-def study_csv(outcomes: Sequence[Outcome]) -> str:
+def format_study(outcomes: Sequence[Outcome]) -> str:
     """The whole table, numbers to the last digit."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
-    columns = headings(outcomes)
+    columns = list_headings(outcomes)
     writer.writerow(columns)
     for outcome in outcomes:
-        writer.writerow([repr(c) if isinstance(c, float) else c for c in cells(outcome, columns)])
+        writer.writerow([repr(c) if isinstance(c, float) else c for c in list_cells(outcome, columns)])
     return text.getvalue()

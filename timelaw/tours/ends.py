@@ -1,10 +1,7 @@
 """Where a tour begins and ends: what is asked of every search."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-
-from timelaw.errors import Fault, InputError, list_some
-from timelaw.orientations import OrientationSet
-from timelaw.problem.route import RouteModel
 
 
 @dataclass(frozen=True)
@@ -20,16 +17,6 @@ class Ends:
         return self.start in (None, order[0]) and self.end in (None, order[-1])
 
 
-def ends(spec: RouteModel, points: OrientationSet) -> Ends:
-    """The ends a problem asks for, as indices.
-
-    Raises:
-        InputError: a label that no orientation has.
-    """
-    found: dict[str, int | None] = {}
-    for key, label in (("start", spec.start), ("end", spec.end)):
-        if label is not None and label not in points.labels:
-            message = f'no orientation is called "{label}"; there are {list_some(points.labels)}'
-            raise InputError(Fault(message, f"route.{key}"))
-        found[key] = None if label is None else points.labels.index(label)
-    return Ends(spec.closed, found["start"], found["end"])
+def list_visits(order: Sequence[int], *, closed: bool) -> tuple[int, ...]:
+    """The visits of a tour, the first one again at the end of a closed one."""
+    return (*order, order[0]) if closed else tuple(order)

@@ -5,11 +5,11 @@ from itertools import islice, pairwise
 
 from timelaw.numerics.array import Array
 from timelaw.progress import Progress
-from timelaw.tours.ends import Ends
-from timelaw.tours.lower_bound import held_karp
+from timelaw.tours.ends import Ends, list_visits
 from timelaw.tours.merit import Merit, Searched
-from timelaw.tours.shortest import EXACT, TREES, opened, places, short_tour
-from timelaw.tours.subsets import MOST_NODES, Move, least
+from timelaw.tours.search.held_karp import bound_by_trees
+from timelaw.tours.search.subset_dp import MOST_NODES, Move, find_least
+from timelaw.tours.shortest import EXACT, TREES, find_short_tour, list_places, open_cycle
 from timelaw.tours.travel_times import TravelTimes
 
 Order = tuple[int, ...]
@@ -22,7 +22,7 @@ POLISHING = 100_000  # variants of a tour that are timed
 STRETCH = 8  # nodes a polishing move takes along
 
 
-def fastest(
+def find_fastest(
     travel: TravelTimes, ends: Ends, known: Iterable[Order] = (), progress: Progress | None = None
 ) -> Searched:
     """A tour of least time: exact for small sets, otherwise the best found, with a lower bound.
@@ -35,28 +35,29 @@ def fastest(
     if exact is not None:
         return exact
     charges = _charges(travel, runs)
-    starts = [short_tour(travel.legs, ends, progress), *known]
-    if travel.chains:
-        starts.append(short_tour(charges, ends, progress))
-    order = min((o for o in starts if ends.admits(o)), key=lambda o: duration(travel, o, closed=ends.closed))
-    if travel.chains and count <= MOST_POLISHED:
+    starts = [find_short_tour(travel.legs, ends, progress), *known]
+    if travel.straight_runs:
+        starts.append(find_short_tour(charges, ends, progress))
+    order = min((o for o in starts if ends.admits(o)), key=lambda o: sum_times(travel, o, closed=ends.closed))
+    if travel.straight_runs and count <= MOST_POLISHED:
         order = _polished(travel, order, ends, progress)
-    total = duration(travel, order, closed=ends.closed)
-    bound = max(held_karp(charges, ends, total, progress), 0.0)
+    total = sum_times(travel, order, closed=ends.closed)
+    bound = max(bound_by_trees(charges, ends, total, progress), 0.0)
     return Searched(order, (Merit(TIME, total + travel.rest, bound + travel.rest, TREES),))
 
 
-def duration(travel: TravelTimes, order: Order, *, closed: bool) -> float:
+def sum_times(travel: TravelTimes, order: Order, *, closed: bool) -> float:
     """Least time [s] of a tour without its dwells, from rest to rest over each of its runs."""
-    stops = (*order, order[0]) if closed else order
+    visits = list_visits(order, closed=closed)
     return sum(
-        float(travel.legs[run]) if len(run) == 2 else travel.run(run) for run in travel.chains.split(stops)
+        float(travel.legs[run]) if len(run) == 2 else travel.run(run)
+        for run in travel.straight_runs.split(visits)
     )
 
 
 def _runs(travel: TravelTimes, progress: Progress | None) -> dict[Order, float] | None:
     """Times of all runs of more than one leg; None if there are too many."""
-    found = list(islice(travel.chains.runs(), travel.most_runs + 1))
+    found = list(islice(travel.straight_runs.runs(), travel.most_runs + 1))
     if len(found) > travel.most_runs:
         return None
     times = {}
@@ -76,12 +77,12 @@ def _compared(travel: TravelTimes, ends: Ends, runs: dict[Order, float] | None) 
     moves += [Move(run[0], run[-1], run[1:], time) for run, time in runs.items()]
     found = None
     for one in _starts(ends, runs):
-        result = least(count, count, moves, *places(count, one))
+        result = find_least(count, count, moves, *list_places(count, one))
         if result is not None and (found is None or result.cost < found.cost):
             found = result
     assert found is not None  # every order is a tour
-    order = opened(found.nodes, closed=ends.closed)
-    total = duration(travel, order, closed=ends.closed)
+    order = open_cycle(found.nodes, closed=ends.closed)
+    total = sum_times(travel, order, closed=ends.closed)
     return Searched(order, (Merit(TIME, total + travel.rest, found.cost + travel.rest, EXACT),))
 
 
@@ -100,7 +101,7 @@ def _charges(travel: TravelTimes, runs: dict[Order, float] | None) -> Array:
     """
     charges = travel.legs.copy()
     if runs is None:
-        for a, b in travel.chains.legs():
+        for a, b in travel.straight_runs.legs():
             charges[a, b] = charges[b, a] = min(travel.cruise[a, b], charges[a, b])
         return charges
     for run, time in runs.items():
@@ -112,12 +113,12 @@ def _charges(travel: TravelTimes, runs: dict[Order, float] | None) -> Array:
 
 def _polished(travel: TravelTimes, order: Order, ends: Ends, progress: Progress | None) -> Order:
     """Improved by turning round and moving stretches, runs counted, until nothing helps."""
-    best, tried, improved = duration(travel, order, closed=ends.closed), 0, True
+    best, tried, improved = sum_times(travel, order, closed=ends.closed), 0, True
     while improved and tried < POLISHING:
         improved = False
         for candidate in _variants(order):
             tried += 1
-            time = duration(travel, candidate, closed=ends.closed) if ends.admits(candidate) else best
+            time = sum_times(travel, candidate, closed=ends.closed) if ends.admits(candidate) else best
             if time < best * (1 - ROUNDING):
                 order, best, improved = candidate, time, True
                 break

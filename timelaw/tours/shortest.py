@@ -4,20 +4,20 @@ import numpy as np
 
 from timelaw.numerics.array import Array
 from timelaw.progress import Progress
-from timelaw.tours.ends import Ends
-from timelaw.tours.hamiltonian import hamiltonian, obstacle
-from timelaw.tours.local_search import short_cycle
-from timelaw.tours.lower_bound import held_karp
+from timelaw.tours.ends import Ends, list_visits
+from timelaw.tours.graph.distances import NEIGHBOUR_TOLERANCE, list_neighbours
 from timelaw.tours.merit import Merit, Searched
-from timelaw.tours.nearest import NEIGHBOUR_TOLERANCE, nearest_neighbours
-from timelaw.tours.subsets import MOST_NODES, Move, Start, least
+from timelaw.tours.search.hamiltonian import find_obstacle, find_path
+from timelaw.tours.search.held_karp import bound_by_trees
+from timelaw.tours.search.local_search import find_short_cycle
+from timelaw.tours.search.subset_dp import MOST_NODES, Move, Start, find_least
 
 EXACT = "all tours compared"
 MINIMAL = "legs × the minimal distance"
 TREES = "Held–Karp bound"
 
 
-def shortest(angles: Array, ends: Ends, progress: Progress | None = None) -> Searched:
+def find_shortest(angles: Array, ends: Ends, progress: Progress | None = None) -> Searched:
     """A tour of least total angle, given the rotation angles (N, N) [rad]; the same one every time.
 
     Where all legs can have the minimal distance, a path or cycle of such legs is found; up to 16
@@ -26,46 +26,46 @@ def shortest(angles: Array, ends: Ends, progress: Progress | None = None) -> Sea
     count = len(angles)
     legs = count - 1 + ends.closed
     minimal = float(np.min(angles[~np.eye(count, dtype=bool)]))
-    neighbours = nearest_neighbours(angles)
-    path = None if obstacle(neighbours, ends) else hamiltonian(neighbours, ends)
+    neighbours = list_neighbours(angles)
+    path = None if find_obstacle(neighbours, ends) else find_path(neighbours, ends)
     if path is not None:
-        total = cost(angles, path, closed=ends.closed)
+        total = sum_costs(angles, path, closed=ends.closed)
         return Searched(path, (Merit("length", total, legs * minimal, MINIMAL),))
     if count <= MOST_NODES:
-        order, total = least_cost(angles, ends)
+        order, total = find_cheapest(angles, ends)
         return Searched(order, (Merit("length", total, total, EXACT),))
-    order = short_tour(angles, ends, progress)
-    total = cost(angles, order, closed=ends.closed)
-    return Searched(order, (lower_bound(angles, ends, total, progress),))
+    order = find_short_tour(angles, ends, progress)
+    total = sum_costs(angles, order, closed=ends.closed)
+    return Searched(order, (bound_length(angles, ends, total, progress),))
 
 
-def lower_bound(angles: Array, ends: Ends, length: float, progress: Progress | None = None) -> Merit:
+def bound_length(angles: Array, ends: Ends, length: float, progress: Progress | None = None) -> Merit:
     """A tour's length beside the best bound known for tours with these ends: exact for small sets."""
     count = len(angles)
     minimal = (count - 1 + ends.closed) * float(np.min(angles[~np.eye(count, dtype=bool)]))
     if length <= minimal * (1 + NEIGHBOUR_TOLERANCE):
         return Merit("length", length, minimal, MINIMAL)
     if count <= MOST_NODES:
-        return Merit("length", length, least_cost(angles, ends)[1], EXACT)
-    return Merit("length", length, max(held_karp(angles, ends, length, progress), minimal), TREES)
+        return Merit("length", length, find_cheapest(angles, ends)[1], EXACT)
+    return Merit("length", length, max(bound_by_trees(angles, ends, length, progress), minimal), TREES)
 
 
-def cost(costs: Array, order: tuple[int, ...], *, closed: bool) -> float:
+def sum_costs(costs: Array, order: tuple[int, ...], *, closed: bool) -> float:
     """Sum of the costs (N, N) of the legs of a tour."""
-    stops = [*order, order[0]] if closed else list(order)
-    return float(np.sum(costs[stops[:-1], stops[1:]]))
+    visits = list(list_visits(order, closed=closed))
+    return float(np.sum(costs[visits[:-1], visits[1:]]))
 
 
-def least_cost(costs: Array, ends: Ends) -> tuple[tuple[int, ...], float]:
+def find_cheapest(costs: Array, ends: Ends) -> tuple[tuple[int, ...], float]:
     """The cheapest tour of at most 16 nodes, and its cost."""
     count = len(costs)
     moves = [Move(i, j, (j,), float(costs[i, j])) for i in range(count) for j in range(count) if i != j]
-    found = least(count, count, moves, *places(count, ends))
+    found = find_least(count, count, moves, *list_places(count, ends))
     assert found is not None  # every order is a tour
-    return opened(found.nodes, closed=ends.closed), found.cost
+    return open_cycle(found.nodes, closed=ends.closed), found.cost
 
 
-def places(count: int, ends: Ends) -> tuple[list[Start], list[int]]:
+def list_places(count: int, ends: Ends) -> tuple[list[Start], list[int]]:
     """Where the moves of a tour may start, and at which node they may end."""
     if ends.closed:
         first = ends.start or 0
@@ -74,12 +74,12 @@ def places(count: int, ends: Ends) -> tuple[list[Start], list[int]]:
     return [Start(i, i) for i in starts], [ends.end] if ends.end is not None else list(range(count))
 
 
-def opened(nodes: tuple[int, ...], *, closed: bool) -> tuple[int, ...]:
+def open_cycle(nodes: tuple[int, ...], *, closed: bool) -> tuple[int, ...]:
     """The order of visits from the nodes as moves visit them: a closed tour visits its first node last."""
     return nodes[-1:] + nodes[:-1] if closed else nodes
 
 
-def short_tour(costs: Array, ends: Ends, progress: Progress | None = None) -> tuple[int, ...]:
+def find_short_tour(costs: Array, ends: Ends, progress: Progress | None = None) -> tuple[int, ...]:
     """A cheap tour of any size.
 
     An open tour is a closed one through a further node, at no cost from the ends: from all nodes, or
@@ -87,7 +87,7 @@ def short_tour(costs: Array, ends: Ends, progress: Progress | None = None) -> tu
     """
     count = len(costs)
     if ends.closed:
-        cycle = short_cycle(costs, progress)
+        cycle = find_short_cycle(costs, progress)
         first = cycle.index(ends.start or 0)
         return tuple(cycle[first:] + cycle[:first])
     given = [end for end in (ends.start, ends.end) if end is not None]
@@ -96,7 +96,7 @@ def short_tour(costs: Array, ends: Ends, progress: Progress | None = None) -> tu
     if given:
         wide[count, :count] = wide[:count, count] = float(np.sum(np.max(costs, axis=1)))
         wide[count, given] = wide[given, count] = 0.0
-    cycle = short_cycle(wide, progress)
+    cycle = find_short_cycle(wide, progress)
     gate = cycle.index(count)
     path = tuple(cycle[gate + 1 :] + cycle[:gate])
     backwards = path[-1] == ends.start or path[0] == ends.end or (not given and path[0] > path[-1])

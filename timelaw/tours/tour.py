@@ -9,15 +9,15 @@ from timelaw.errors import Fault, InputError, list_some
 from timelaw.numerics.quaternion import angle_between
 from timelaw.orientations import OrientationSet
 from timelaw.problem import Problem
-from timelaw.problem.route import SEARCHED
+from timelaw.problem.route import SEARCHED, RouteModel
 from timelaw.progress import Progress
-from timelaw.tours.ends import Ends, ends
-from timelaw.tours.fastest import fastest
-from timelaw.tours.lines import Lines
+from timelaw.tours.ends import Ends, list_visits
+from timelaw.tours.fastest import find_fastest
+from timelaw.tours.graph.distances import NEIGHBOUR_TOLERANCE, find_minimal_distance, measure_distances
+from timelaw.tours.graph.minimal_legs import MinimalLegs
 from timelaw.tours.merit import Merit, Searched
-from timelaw.tours.nearest import NEIGHBOUR_TOLERANCE, distances, minimal_distance
-from timelaw.tours.shortest import MINIMAL, lower_bound, shortest
-from timelaw.tours.straight import STRAIGHT, TURNING, straightest
+from timelaw.tours.shortest import MINIMAL, bound_length, find_shortest
+from timelaw.tours.straightest import STRAIGHT, TURNING, find_straightest
 from timelaw.tours.travel_rules import make_travel_times
 
 Order = tuple[int, ...]
@@ -51,9 +51,9 @@ class Tour:
         """Whether it is proved that no tour with these ends is shorter."""
         return next(merit for merit in self.merits if merit.name == "length").is_best
 
-    def stops(self) -> Order:
+    def visits(self) -> Order:
         """Indices with the first one repeated at the end of a closed tour."""
-        return self.order + self.order[:1] if self.closed else self.order
+        return list_visits(self.order, closed=self.closed)
 
 
 @dataclass(frozen=True)
@@ -66,23 +66,23 @@ class Wanted:
     progress: Progress | None = None
 
 
-def tour(problem: Problem, points: OrientationSet, progress: Progress | None = None) -> Tour:
+def find_tour(problem: Problem, points: OrientationSet, progress: Progress | None = None) -> Tour:
     """The order of visits that the problem asks for.
 
     Raises:
         InputError: an unknown label, a repeated or missing one, or a tour the set does not have.
     """
     spec = problem.route
-    wanted = Wanted(problem, points, ends(spec, points), progress)
+    wanted = Wanted(problem, points, read_ends(spec, points), progress)
     if isinstance(spec.tour, tuple):
         searched = Searched(_by_labels(spec.tour, points))
     else:
         if spec.tour in SEARCHED:
             _refuse_what_cannot_be_searched(points)
         searched = TOURS[spec.tour](wanted)
-    visits = points.quaternions[list(searched.order + searched.order[:1] if spec.closed else searched.order)]
+    visits = points.quaternions[list(list_visits(searched.order, closed=spec.closed))]
     length = float(np.sum(angle_between(visits[:-1], visits[1:])))
-    minimal = minimal_distance(points.quaternions)
+    minimal = find_minimal_distance(points.quaternions)
     merits = searched.merits
     if not any(merit.name == "length" for merit in merits):
         legs = len(points) - 1 + spec.closed
@@ -91,15 +91,30 @@ def tour(problem: Problem, points: OrientationSet, progress: Progress | None = N
     return Tour(searched.order, spec.closed, length, minimal, merits)
 
 
-def sharpened(found: Tour, points: OrientationSet, progress: Progress | None = None) -> Tour:
+def sharpen(found: Tour, points: OrientationSet, progress: Progress | None = None) -> Tour:
     """The tour with the best bound on its length that can be computed, for tours with free ends."""
     if found.is_shortest or len(points) > MOST_SEARCHED or len(points) < 3:
         return found
-    bound = lower_bound(distances(points.quaternions), Ends(found.closed), found.length, progress)
+    bound = bound_length(measure_distances(points.quaternions), Ends(found.closed), found.length, progress)
     known = next(merit for merit in found.merits if merit.name == "length")
     if known.proof != MINIMAL or bound.bound <= known.bound:
         return found
     return replace(found, merits=tuple(bound if merit is known else merit for merit in found.merits))
+
+
+def read_ends(spec: RouteModel, points: OrientationSet) -> Ends:
+    """The ends a problem asks for, as indices.
+
+    Raises:
+        InputError: a label that no orientation has.
+    """
+    found: dict[str, int | None] = {}
+    for key, label in (("start", spec.start), ("end", spec.end)):
+        if label is not None and label not in points.labels:
+            message = f'no orientation is called "{label}"; there are {list_some(points.labels)}'
+            raise InputError(Fault(message, f"route.{key}"))
+        found[key] = None if label is None else points.labels.index(label)
+    return Ends(spec.closed, found["start"], found["end"])
 
 
 def _refuse_what_cannot_be_searched(points: OrientationSet) -> None:
@@ -131,7 +146,7 @@ def _paper(wanted: Wanted) -> Searched:
 
 def _shortest(wanted: Wanted) -> Searched:
     """Of least total angle."""
-    return shortest(distances(wanted.points.quaternions), wanted.ends, wanted.progress)
+    return find_shortest(measure_distances(wanted.points.quaternions), wanted.ends, wanted.progress)
 
 
 def _fewest_stops(wanted: Wanted) -> Searched:
@@ -146,14 +161,16 @@ def _least_turning(wanted: Wanted) -> Searched:
 
 def _straightest(wanted: Wanted, goal: str) -> Searched:
     points = wanted.points
-    return straightest(Lines(points.quaternions), wanted.ends, goal, points.labels, wanted.progress)
+    return find_straightest(
+        MinimalLegs(points.quaternions), wanted.ends, goal, points.labels, wanted.progress
+    )
 
 
 def _fastest(wanted: Wanted) -> Searched:
     """Of least total time under the limits; the straightest tours known are where a search begins."""
     travel = make_travel_times(wanted.problem, wanted.points, wanted.progress)
-    known = _straightest_known(wanted) if travel.chains else ()
-    return fastest(travel, wanted.ends, known, wanted.progress)
+    known = _straightest_known(wanted) if travel.straight_runs else ()
+    return find_fastest(travel, wanted.ends, known, wanted.progress)
 
 
 def _straightest_known(wanted: Wanted) -> Iterator[Order]:

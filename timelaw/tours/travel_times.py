@@ -15,7 +15,7 @@ from timelaw.numerics.array import Array
 from timelaw.numerics.quaternion import angle_between
 from timelaw.numerics.turn import find_turn
 from timelaw.progress import Progress
-from timelaw.tours.chains import Chains
+from timelaw.tours.graph.straight_runs import StraightRuns
 
 BLOCK = 256  # rows of legs at a time: a few tens of megabytes also for thousands of orientations
 MOST_RUNS = 20_000
@@ -47,7 +47,7 @@ class TravelTimes:
         self.rest = rest
         self._quaternions, self._limits, self._progress = quaternions, tuple(limits), progress
         self._at = at or {}
-        self.chains = Chains(quaternions, passable)
+        self.straight_runs = StraightRuns(quaternions, passable)
         self.run = cache(self._run)
         self._known: dict[object, float] = {}
         self._plain = not any(limit.couples for limit in chain(limits, *self._at.values()))
@@ -106,16 +106,16 @@ class TravelTimes:
         times = double_s.double_s_times(angles, *bounds)
         return np.where(np.isfinite(times), times, 0.0), angles, bounds
 
-    def _run(self, stops: tuple[int, ...]) -> float:
+    def _run(self, visits: tuple[int, ...]) -> float:
         """Least time over visits about one axis."""
-        q = self._quaternions[list(stops)]
+        q = self._quaternions[list(visits)]
         angles, axis = angle_between(q[:-1], q[1:]), find_turn(q[0], q[1]).axis
-        if not any(node in self._at for node in stops):
+        if not any(node in self._at for node in visits):
             demands = [Demand(float(np.sum(angles)), drop_implied(list_rows(self._limits, axis)))]
         else:
             demands = [
                 Demand(float(angle), self._rows_between(i, j, axis))
-                for angle, (i, j) in zip(angles, pairwise(stops), strict=True)
+                for angle, (i, j) in zip(angles, pairwise(visits), strict=True)
             ]
         key = tuple(demand.key() for demand in demands)
         if key not in self._known:

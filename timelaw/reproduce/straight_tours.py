@@ -1,4 +1,4 @@
-"""Search a lattice's straightest tours again: `python -m timelaw.tours.search_again LATTICE GOAL NUMBER`.
+"""Search straightest tours again: `python -m timelaw.reproduce.straight_tours LATTICE GOAL NUMBER`.
 
 GOAL is `stops` with at most NUMBER corners, or `turning` with at most NUMBER degrees, the corner at
 the start of a closed tour included. It prints a tour as the data file has it, or that the complete
@@ -13,10 +13,11 @@ from math import degrees, radians
 from random import Random
 
 from timelaw.errors import TimelawError
-from timelaw.orientations.lattices import LATTICES, lattice
-from timelaw.tours.lines import Lines
-from timelaw.tours.run_search import Corner, RunSearch
-from timelaw.tours.straight import one, stops
+from timelaw.orientations.lattices import LATTICES, make_lattice
+from timelaw.tours.ends import list_visits
+from timelaw.tours.graph.minimal_legs import MinimalLegs
+from timelaw.tours.search.run_search import Corner, RunSearch
+from timelaw.tours.straightest import count_corner
 
 SEED = 2
 STEPS = 1_000_000  # of an attempt by chance
@@ -24,13 +25,15 @@ ATTEMPTS = 50
 GOALS = ("stops", "turning")
 
 
-def search(lines: Lines, goal: str, most: float, *, closed: bool, chance: bool) -> tuple[int, ...] | None:
+def search(
+    lines: MinimalLegs, goal: str, most: float, *, closed: bool, chance: bool
+) -> tuple[int, ...] | None:
     """A tour of minimal legs with at most so many corners, or so much turning [rad]; None if there is none.
 
     Raises:
         TimelawError: by chance none was found, which proves nothing.
     """
-    price: Corner = one if goal == "stops" else lines.turn
+    price: Corner = count_corner if goal == "stops" else lines.turn
     if not chance:
         return RunSearch(lines, closed, most, price).run()
     random = Random(SEED)
@@ -49,7 +52,7 @@ def main(arguments: Sequence[str]) -> None:
         raise TimelawError(
             f"give a lattice ({', '.join(LATTICES)}), a goal ({', '.join(GOALS)}) and a number"
         )
-    lines = Lines(lattice(words[0]))
+    lines = MinimalLegs(make_lattice(words[0]))
     try:
         most = float(words[2])
     except ValueError:
@@ -60,7 +63,7 @@ def main(arguments: Sequence[str]) -> None:
     if found is None:
         print(f"none: the complete search shows that no {'closed' if closed else 'open'} tour has so little")
         return
-    visits = stops(found, closed=closed)
+    visits = list_visits(found, closed=closed)
     print(json.dumps(found))
     turning = degrees(lines.turning(visits))
     print(f"{lines.straight(visits)} straight inner nodes, the axis turns by {turning:.2f}°")

@@ -1,4 +1,4 @@
-"""How the time of a coupled solution grows: `python -m timelaw.study.scaling [LARGEST]`.
+"""How the time of a coupled solution grows: `python -m timelaw.reproduce.scaling [LARGEST]`.
 
 Legs of different angles, every one from stop to stop, least jerk in 1.3 times the least time: one
 sparse nonlinear program over all. Prints a Markdown table of seconds, and what it was measured on.
@@ -17,7 +17,7 @@ from timelaw.limits import Demand, drop_implied, list_rows, make_limits
 from timelaw.nlp import Budget, RunProblem
 from timelaw.nlp.all_runs import Deadline, solve_together
 from timelaw.nlp.single_runs import solve_runs
-from timelaw.nlp.solution import total
+from timelaw.nlp.solution import sum_durations
 from timelaw.problem.objective import Goal, TotalTime
 
 NODES = (30, 100, 300)
@@ -34,7 +34,7 @@ def measure(legs: int, degree: int) -> tuple[float, float]:
     start = time.perf_counter()
     least = solve_runs(runs).timings
     middle = time.perf_counter()
-    given = FACTOR * total(least)
+    given = FACTOR * sum_durations(least)
     goal = Goal(minimise="jerk", total_time=TotalTime(given))
     solve_together(runs, least, goal, [Deadline(Budget(legs, given), "", "the end", 0.0)])
     return middle - start, time.perf_counter() - middle

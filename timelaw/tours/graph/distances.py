@@ -9,12 +9,12 @@ BLOCK = 256  # rows of the distance matrix at a time: a few megabytes also for m
 NEIGHBOUR_TOLERANCE = 1e-9  # rad; lattice distances agree to 1e-15, and differ by 0.1 and more otherwise
 
 
-def distances(quaternions: Array) -> Array:
+def measure_distances(quaternions: Array) -> Array:
     """Body rotation angles (N, N) [rad] on SO(3), 2 arccos|q_i·q_j|; zeros on the diagonal."""
     return angle_between(quaternions[:, None, :], quaternions[None, :, :])
 
 
-def minimal_distance(quaternions: Array) -> float:
+def find_minimal_distance(quaternions: Array) -> float:
     """Least rotation angle [rad] between two different ones of the orientations (N, 4), block by block."""
     least = np.inf
     for start in range(0, len(quaternions), BLOCK):
@@ -26,7 +26,7 @@ def minimal_distance(quaternions: Array) -> float:
     return least
 
 
-def nearest_neighbours(angles: Array) -> list[list[int]]:
+def list_neighbours(angles: Array) -> list[list[int]]:
     """Of each node, the nodes at the minimal distance, given the angles (N, N) [rad]."""
     apart = angles + np.diag(np.full(len(angles), np.inf))
     near = apart <= np.min(apart) + NEIGHBOUR_TOLERANCE

@@ -1,4 +1,4 @@
-"""How many shortest tours there are: `python -m timelaw.tours.counts LATTICE`, for small lattices.
+"""How many shortest tours there are: `python -m timelaw.reproduce.tour_counts LATTICE`, for small lattices.
 
 Directed paths and cycles by minimal legs, counted by dynamic programming over subsets; by how many
 nodes they go straight on, too. For the 24-cell besides them the paths of table 1 of [MMB2017], where
@@ -11,26 +11,26 @@ from collections.abc import Sequence
 import numpy as np
 
 from timelaw.errors import TimelawError
-from timelaw.orientations.lattices import LATTICES, lattice
-from timelaw.tours.lines import Lines
-from timelaw.tours.subsets import MOST_NODES, Move, Start, count_all
+from timelaw.orientations.lattices import LATTICES, make_lattice
+from timelaw.tours.graph.minimal_legs import MinimalLegs
+from timelaw.tours.search.subset_dp import MOST_NODES, Move, Start, count_all
 
 Graph = Sequence[Sequence[int]]
 TABLE_1_TOLERANCE = 1e-9
 
 
-def paths(neighbours: Graph, start: int) -> int:
+def count_paths(neighbours: Graph, start: int) -> int:
     """Directed Hamiltonian paths from a node."""
     count = len(neighbours)
     return count_all(count, count, _steps(neighbours), [Start(start, start)], range(count))
 
 
-def cycles(neighbours: Graph, start: int) -> int:
+def count_cycles(neighbours: Graph, start: int) -> int:
     """Directed Hamiltonian cycles, each counted once, from a node and back to it."""
     return count_all(len(neighbours), len(neighbours), _steps(neighbours), [Start(start, None)], [start])
 
 
-def by_straight_nodes(lines: Lines, start: int, *, closed: bool) -> dict[int, int]:
+def count_by_straight_nodes(lines: MinimalLegs, start: int, *, closed: bool) -> dict[int, int]:
     """How many paths or cycles from a node have 0, 1, 2, … straight inner nodes."""
     count, most = len(lines), lines.counting_bound(closed)
     arcs = [(i, j) for i, near in enumerate(lines.neighbours) for j in near]
@@ -70,22 +70,23 @@ def _table_1(quaternions: np.ndarray) -> Graph:
 
 def main(arguments: Sequence[str]) -> None:
     """Print the counts of a lattice."""
-    names = [name for name in LATTICES if len(lattice(name)) <= MOST_NODES]
+    names = [name for name in LATTICES if len(make_lattice(name)) <= MOST_NODES]
     if len(arguments) != 1 or arguments[0] not in names:
         raise TimelawError(f"give one lattice: {', '.join(names)}; the others have too many tours to count")
-    lines = Lines(lattice(arguments[0]))
+    lines = MinimalLegs(make_lattice(arguments[0]))
     nodes = range(len(lines))
     if arguments[0] == "24-cell":
         graph = _table_1(lines.quaternions)
-        every = sum(paths(graph, node) for node in nodes)
-        print(f"table 1 of [MMB2017]: {paths(graph, 0)} directed shortest paths from node 1, {every} in all")
-    every = sum(paths(lines.neighbours, node) for node in nodes)
+        every = sum(count_paths(graph, node) for node in nodes)
+        first = count_paths(graph, 0)
+        print(f"table 1 of [MMB2017]: {first} directed shortest paths from node 1, {every} in all")
+    every = sum(count_paths(lines.neighbours, node) for node in nodes)
     print(
-        f"on SO(3): {paths(lines.neighbours, 0)} from node 1, {every} in all; "
-        f"{cycles(lines.neighbours, 0)} closed ones"
+        f"on SO(3): {count_paths(lines.neighbours, 0)} from node 1, {every} in all; "
+        f"{count_cycles(lines.neighbours, 0)} closed ones"
     )
     for kind, closed in (("open", False), ("closed", True)):
-        found = by_straight_nodes(lines, 0, closed=closed)
+        found = count_by_straight_nodes(lines, 0, closed=closed)
         listing = ", ".join(f"{number} with {done}" for done, number in found.items())
         print(f"{kind}, from node 1, by straight inner nodes: {listing}")
 

@@ -7,10 +7,10 @@ from collections.abc import Iterator
 from random import Random
 
 from timelaw.progress import Progress
-from timelaw.tours.ends import Ends
-from timelaw.tours.hamiltonian import hamiltonian
-from timelaw.tours.lines import Lines
-from timelaw.tours.run_search import Corner, RunSearch
+from timelaw.tours.ends import Ends, list_visits
+from timelaw.tours.graph.minimal_legs import MinimalLegs
+from timelaw.tours.search.hamiltonian import find_path
+from timelaw.tours.search.run_search import Corner, RunSearch
 
 Order = tuple[int, ...]
 SEED = 20170112
@@ -19,8 +19,8 @@ STATES = 150_000  # of all attempts: some five seconds for fifty nodes
 LESS = 1e-6  # of the least corner; what the next tour must save
 
 
-def straighter(
-    lines: Lines,
+def descend(
+    lines: MinimalLegs,
     ends: Ends,
     corner: Corner,
     enough: float,
@@ -31,7 +31,7 @@ def straighter(
 
     `known` is a tour to begin from; the search is over when inner corners cost no more than `enough`.
     """
-    best = known or hamiltonian(lines.neighbours, ends)
+    best = known or find_path(lines.neighbours, ends)
     random = Random(SEED)
     backwards = not ends.closed and ends.start is None and ends.end is not None
     search = RunSearch(lines, ends.closed, float("inf"), corner, random, alike=False)
@@ -60,8 +60,8 @@ def _starts(ends: Ends, count: int, random: Random) -> Iterator[int]:
 
 def _cost(search: RunSearch, order: Order) -> float:
     """What the inner corners cost."""
-    stops = (*order, order[0]) if search.closed else order
-    return sum(search.costs.get(corner, 0.0) for corner in zip(stops, stops[1:], stops[2:], strict=False))
+    visits = list_visits(order, closed=search.closed)
+    return sum(search.costs.get(corner, 0.0) for corner in zip(visits, visits[1:], visits[2:], strict=False))
 
 
 def _whole(search: RunSearch, order: Order) -> float:

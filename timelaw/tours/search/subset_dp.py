@@ -50,7 +50,7 @@ class Found:
     nodes: tuple[int, ...]
 
 
-def least(
+def find_least(
     count: int, states: int, moves: Sequence[Move], starts: Sequence[Start], ends: Iterable[int]
 ) -> Found | None:
     """The cheapest sequence of moves that visits all of `count` nodes, from a start to one of the end states.

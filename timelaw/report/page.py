@@ -18,18 +18,18 @@ from timelaw.objectives import OBJECTIVES
 from timelaw.pipeline import Design
 from timelaw.problem.objective import Goal
 from timelaw.report.active_limits import list_active
-from timelaw.report.figures import figures
-from timelaw.report.summary import law_rows, run_rows
+from timelaw.report.figures.registry import draw_figures
+from timelaw.report.summary import list_law_rows, list_run_rows
+from timelaw.report.tour_text import describe_merits
 from timelaw.requirements.route_limit import limit_route
-from timelaw.tours.report import certificate
 
 PACKAGES = ("casadi", "numpy", "matplotlib")
 RATES = (("omega", "ω", "deg/s"), ("alpha", "α", "deg/s²"), ("jerk", "jerk", "deg/s³"))
 
 
-def report_files(design: Design, digest: str) -> dict[str, str]:
+def render_report(design: Design, digest: str) -> dict[str, str]:
     """Texts by file name: report.html and its figures. `digest` is that of the problem file."""
-    pictures = figures(design)
+    pictures = draw_figures(design)
     page = _environment().get_template("report.html").render(_context(design, digest, pictures))
     return {"report.html": page, **pictures}
 
@@ -49,12 +49,12 @@ def _environment() -> Environment:
 
 
 def _context(design: Design, digest: str, pictures: dict[str, str]) -> dict[str, Any]:
-    rows = law_rows(design)
+    rows = list_law_rows(design)
     return {
         "design": design,
         "problem": design.problem,
         "tour": design.tour,
-        "certificate_lines": certificate(design.tour),
+        "certificate_lines": describe_merits(design.tour),
         "route": design.route,
         "rows": rows,
         "active": {s.name: list_active(design.optimised.law, s) for s in design.optimised.law.legs},
@@ -63,7 +63,7 @@ def _context(design: Design, digest: str, pictures: dict[str, str]) -> dict[str,
         "objective": _objective(design.problem.objective),
         "least": limit_route(design.route, design.requirements),
         "limits": [check.limit for check in design.optimised.certificate.limits],
-        "runs": run_rows(design),
+        "runs": list_run_rows(design),
         "runs_count": len(design.requirements.runs(design.route)),
         "kinds": [_kinds(entry.certificate.continuity.nodes) for entry in design.laws],
         "rates": RATES,

@@ -22,7 +22,7 @@ GAIN = 1e-9  # of the mean of all costs; smaller gains are rounding
 SEGMENT = 3  # nodes an Or-opt move takes along
 
 
-def short_cycle(costs: Array, progress: Progress | None = None) -> list[int]:
+def find_short_cycle(costs: Array, progress: Progress | None = None) -> list[int]:
     """A short closed tour of all nodes under symmetric costs (N, N), N ≥ 5; node 0 first."""
     count = len(costs)
     tour = _Cycle(costs)

@@ -20,7 +20,7 @@ ROUNDING = 1e-12  # of the sum of all that is added up, per node
 MOMENTUM = 0.6  # of the last direction that goes into the next
 
 
-def held_karp(costs: Array, ends: Ends, reached: float, progress: Progress | None = None) -> float:
+def bound_by_trees(costs: Array, ends: Ends, reached: float, progress: Progress | None = None) -> float:
     """A number that no tour's cost is below, under symmetric costs (N, N), N ≥ 3.
 
     `reached` is what some tour costs: it sets the size of the steps.

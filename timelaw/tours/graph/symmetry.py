@@ -11,7 +11,7 @@ Order = tuple[int, ...]
 CLOSE = 1e-9  # of |q·q| from one, where two vertices are the same
 
 
-def permutation(quaternions: Array, images: Array) -> list[int] | None:
+def find_permutation(quaternions: Array, images: Array) -> list[int] | None:
     """Which node each image (N, 4) is, up to sign; None if they are not the set."""
     cosines = np.abs(images @ quaternions.T)
     nodes = [int(node) for node in np.argmax(cosines, axis=1)]
@@ -20,7 +20,7 @@ def permutation(quaternions: Array, images: Array) -> list[int] | None:
     return nodes
 
 
-def congruence(model: Array, points: Array) -> list[int] | None:
+def find_congruence(model: Array, points: Array) -> list[int] | None:
     """Which node of `points` each vertex of `model` is, up to sign, after an isometry between the two sets.
 
     A tetrahedron of nearest neighbours is carried to another one; where all of them are alike, as
@@ -32,7 +32,7 @@ def congruence(model: Array, points: Array) -> list[int] | None:
     if any(len(frame) < 4 for frame in frames):
         return None
     carried = model @ np.linalg.solve(*frames)
-    return permutation(points, carried) if np.allclose(carried @ carried.T, model @ model.T) else None
+    return find_permutation(points, carried) if np.allclose(carried @ carried.T, model @ model.T) else None
 
 
 def _tetrahedron(quaternions: Array) -> Array:
@@ -45,7 +45,7 @@ def _tetrahedron(quaternions: Array) -> Array:
     return chosen
 
 
-def moved(order: Order, quaternions: Array, ends: Ends) -> Order | None:
+def move_tour(order: Order, quaternions: Array, ends: Ends) -> Order | None:
     """The tour carried, and turned round where needed, to begin and end where it should.
 
     x ↦ l ⊗ x ⊗ r with l, r from the set maps distances and great circles onto themselves; None if
@@ -59,7 +59,7 @@ def moved(order: Order, quaternions: Array, ends: Ends) -> Order | None:
                 left = multiply(quaternions[ends.end], conjugate(multiply(last, right)))
             else:
                 left = multiply(quaternions[start], conjugate(multiply(first, right)))
-            nodes = permutation(quaternions, multiply(multiply(left, quaternions), right))
+            nodes = find_permutation(quaternions, multiply(multiply(left, quaternions), right))
             if nodes is None:
                 return None
             found = tuple(nodes[node] for node in candidate)
@@ -70,7 +70,7 @@ def moved(order: Order, quaternions: Array, ends: Ends) -> Order | None:
     return None
 
 
-def flag_stabiliser(quaternions: Array, node: int, neighbour: int) -> list[list[int]]:
+def find_stabiliser(quaternions: Array, node: int, neighbour: int) -> list[list[int]]:
     """Maps x ↦ l ⊗ x ⊗ r and x ↦ l ⊗ x* ⊗ r, as permutations, that leave two nodes where they are.
 
     With l and r from the set: all such maps if it is a group, otherwise some, the identity always.
@@ -79,7 +79,7 @@ def flag_stabiliser(quaternions: Array, node: int, neighbour: int) -> list[list[
     for images in (quaternions, conjugate(quaternions)):
         for right in quaternions:
             left = multiply(quaternions[node], conjugate(multiply(images[node], right)))
-            nodes = permutation(quaternions, multiply(multiply(left, images), right))
+            nodes = find_permutation(quaternions, multiply(multiply(left, images), right))
             if nodes is not None and nodes[neighbour] == neighbour:
                 found.append(nodes)
     return found

@@ -18,13 +18,13 @@ STEPS_PER_NODE = 400  # rotations before a fresh start; a path is found after ab
 STARTS = 50
 
 
-def hamiltonian(neighbours: Graph, ends: Ends) -> tuple[int, ...] | None:
+def find_path(neighbours: Graph, ends: Ends) -> tuple[int, ...] | None:
     """A path or cycle through all nodes along the edges of a graph; the same one every time.
 
     None if none was found; `obstacle` may say why there is none.
     """
     if not ends.closed and ends.start is None and ends.end is not None:
-        path = hamiltonian(neighbours, Ends(False, ends.end))
+        path = find_path(neighbours, Ends(False, ends.end))
         return None if path is None else path[::-1]
     random = Random(SEED)
     last = (ends.start or 0) if ends.closed else ends.end
@@ -39,7 +39,7 @@ def hamiltonian(neighbours: Graph, ends: Ends) -> tuple[int, ...] | None:
     return None
 
 
-def obstacle(neighbours: Graph, ends: Ends) -> tuple[str, list[int]] | None:
+def find_obstacle(neighbours: Graph, ends: Ends) -> tuple[str, list[int]] | None:
     """Why a graph plainly has no such path or cycle, and the nodes to blame; None if nothing is seen."""
     lonely = [node for node, near in enumerate(neighbours) if not near]
     if lonely:

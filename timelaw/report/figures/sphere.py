@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from timelaw.numerics.quaternion import rotation_matrix
-from timelaw.report.figures import STYLE, svg
+from timelaw.report.figures.style import STYLE, render_svg
 from timelaw.route import Route
 
 AXES = (("x", "#b3261e"), ("y", "#0b5fa5"), ("z", "#1b6e3c"))  # the colours of the printed paper
@@ -13,7 +13,7 @@ POINTS_PER_LEG = 25
 VIEW = {"elev": 22.0, "azim": 35.0}
 
 
-def traces(name: str, route: Route) -> str:
+def draw_traces(name: str, route: Route) -> str:
     """SVG text: for each body axis its path in world coordinates, dots at the nodes."""
     import matplotlib as mpl
     from matplotlib.figure import Figure
@@ -29,7 +29,7 @@ def traces(name: str, route: Route) -> str:
             ax.plot(*path[:, :, index].T, color=colour, linewidth=1.2)
             ax.scatter(*nodes[:, :, index].T, color=colour, s=10, depthshade=False)
             ax.set_title(f"body axis {axis}", fontsize=9)
-        return svg(figure, name)
+        return render_svg(figure, name)
 
 
 def _globe(ax: Any) -> None:

@@ -3,11 +3,11 @@
 from dataclasses import dataclass
 from functools import cached_property
 
-from timelaw.tours.lines import Lines
+from timelaw.tours.graph.minimal_legs import MinimalLegs
 
 
 @dataclass(frozen=True)
-class Circle:
+class GreatCircle:
     """Nodes in a row on a great circle, `ring` if the last is followed by the first."""
 
     nodes: tuple[int, ...]
@@ -40,15 +40,15 @@ class Circle:
         return rows
 
 
-def circles(lines: Lines) -> list[Circle]:
+def list_circles(lines: MinimalLegs) -> list[GreatCircle]:
     """All circles, or parts of one, that lead from node to node by minimal legs; each once."""
-    found: dict[int, Circle] = {}
+    found: dict[int, GreatCircle] = {}
     led_to = {(j, k) for (_, j), k in lines.onward.items()}
     for start, nearest in enumerate(lines.neighbours):
         for second in nearest:
             nodes = (start, *lines.line(start, second))
             ring = lines.onward.get((nodes[-2], nodes[-1])) == start
             if ring or (start, second) not in led_to:  # otherwise a part of a line that begins earlier
-                circle = Circle(nodes, ring)
+                circle = GreatCircle(nodes, ring)
                 found.setdefault(circle.mask, circle)
     return list(found.values())

@@ -19,9 +19,9 @@ from dataclasses import dataclass
 from math import lcm
 from random import Random
 
-from timelaw.tours.circles import Circle, circles
-from timelaw.tours.lines import Lines
-from timelaw.tours.symmetry import flag_stabiliser
+from timelaw.tours.graph.great_circles import GreatCircle, list_circles
+from timelaw.tours.graph.minimal_legs import MinimalLegs
+from timelaw.tours.graph.symmetry import find_stabiliser
 
 Corner = Callable[[int, int, int], float]
 
@@ -40,7 +40,7 @@ class RunSearch:
     from the node `start`, and to `end` if that is given, in any set.
     """
 
-    lines: Lines
+    lines: MinimalLegs
     closed: bool
     budget: float
     corner: Corner
@@ -58,7 +58,9 @@ class RunSearch:
         self.near = [sum(1 << j for j in nearest) for nearest in lines.neighbours]
         self.ways = [[tuple(lines.line(i, j)) for j in nearest] for i, nearest in enumerate(lines.neighbours)]
         self.unit = lcm(*range(1, lines.longest + 1))
-        self.circles: list[tuple[Circle, dict[int, int]]] = [(circle, {}) for circle in circles(lines)]
+        self.circles: list[tuple[GreatCircle, dict[int, int]]] = [
+            (circle, {}) for circle in list_circles(lines)
+        ]
         self.costs = {
             (i, j, k): self.corner(i, j, k)
             for j, nearest in enumerate(lines.neighbours)
@@ -169,7 +171,7 @@ class RunSearch:
 
     def _second_runs(self, last: int) -> list[tuple[int, ...]]:
         """Lines from `last`, one of each class that the isometries fixing the first leg make."""
-        stabiliser = flag_stabiliser(self.lines.quaternions, 0, self.path[1])
+        stabiliser = find_stabiliser(self.lines.quaternions, 0, self.path[1])
         kept: dict[int, tuple[int, ...]] = {}
         for line in self.ways[last]:
             representative = min(nodes[line[0]] for nodes in stabiliser)

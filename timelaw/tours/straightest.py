@@ -12,16 +12,16 @@ from itertools import pairwise
 from math import floor
 
 from timelaw.errors import Fault, InputError, list_some
-from timelaw.orientations.lattices import lattice
+from timelaw.orientations.lattices import make_lattice
 from timelaw.progress import Progress
-from timelaw.tours.ends import Ends
-from timelaw.tours.hamiltonian import obstacle
-from timelaw.tours.lines import Lines
+from timelaw.tours.ends import Ends, list_visits
+from timelaw.tours.graph.minimal_legs import MinimalLegs
+from timelaw.tours.graph.symmetry import find_congruence, move_tour
 from timelaw.tours.merit import EQUAL, Merit, Searched
-from timelaw.tours.shortest import EXACT, opened
-from timelaw.tours.straighter import straighter
-from timelaw.tours.subsets import MOST_CELLS, Move, Start, least
-from timelaw.tours.symmetry import congruence, moved
+from timelaw.tours.search.hamiltonian import find_obstacle
+from timelaw.tours.search.run_search_descent import descend
+from timelaw.tours.search.subset_dp import MOST_CELLS, Move, Start, find_least
+from timelaw.tours.shortest import EXACT, open_cycle
 
 DATA = "data/straight.json"
 PROVED = "exhaustive search"
@@ -32,15 +32,15 @@ STRAIGHT, TURNING = "straight nodes", "turning"
 GOALS = {STRAIGHT: "fewest-stops", TURNING: "least-turning"}
 
 
-def straightest(
-    lines: Lines, ends: Ends, goal: str, labels: Sequence[str], progress: Progress | None = None
+def find_straightest(
+    lines: MinimalLegs, ends: Ends, goal: str, labels: Sequence[str], progress: Progress | None = None
 ) -> Searched:
     """The tour of minimal legs with the most straight nodes (`goal` STRAIGHT), or the least TURNING.
 
     Raises:
         InputError: no tour has minimal legs only, none was found, or the set is too large.
     """
-    reason = obstacle(lines.neighbours, ends)
+    reason = find_obstacle(lines.neighbours, ends)
     if reason is not None:
         what, nodes = reason
         raise _impossible(goal, f"there are orientations {what}: {list_some([labels[i] for i in nodes])}")
@@ -49,7 +49,7 @@ def straightest(
     return _shipped(lines, ends, goal) or _searched(lines, ends, goal, progress)
 
 
-def check(order: Sequence[int], lines: Lines, *, closed: bool) -> None:
+def check_minimal(order: Sequence[int], lines: MinimalLegs, *, closed: bool) -> None:
     """Refuse what does not visit every node once by minimal legs.
 
     Raises:
@@ -57,21 +57,16 @@ def check(order: Sequence[int], lines: Lines, *, closed: bool) -> None:
     """
     if sorted(order) != list(range(len(lines))):
         raise ValueError("a tour visits every node once")
-    for a, b in pairwise(stops(order, closed=closed)):
+    for a, b in pairwise(list_visits(order, closed=closed)):
         if b not in lines.neighbours[a]:
             raise ValueError(f"the leg {a}-{b} is not minimal")
 
 
-def stops(order: Sequence[int], *, closed: bool) -> tuple[int, ...]:
-    """The visits of a tour, the first one again at the end of a closed one."""
-    return (*order, order[0]) if closed else tuple(order)
-
-
-def merits(
-    lines: Lines, order: Sequence[int], *, closed: bool, bounds: dict[str, tuple[float, str]]
+def judge_straightness(
+    lines: MinimalLegs, order: Sequence[int], *, closed: bool, bounds: dict[str, tuple[float, str]]
 ) -> tuple[Merit, ...]:
     """What a tour of minimal legs is worth, beside the bounds known: straight nodes, turning."""
-    visits = stops(order, closed=closed)
+    visits = list_visits(order, closed=closed)
     counted = lines.counting_bound(closed)
     most, proof = bounds.get(STRAIGHT, (counted, COUNTED))
     if most >= counted:
@@ -86,7 +81,7 @@ def merits(
     )
 
 
-def _searched(lines: Lines, ends: Ends, goal: str, progress: Progress | None) -> Searched:
+def _searched(lines: MinimalLegs, ends: Ends, goal: str, progress: Progress | None) -> Searched:
     """The best that a search by chance finds; the bound by counting says how good it is at least."""
     if len(lines) > MOST_SEARCHED:
         message = (
@@ -94,22 +89,22 @@ def _searched(lines: Lines, ends: Ends, goal: str, progress: Progress | None) ->
         )
         raise InputError(Fault(f'{message}; use "shortest" or "fastest"', "route.tour"))
     corners = len(lines) - 2 + ends.closed - lines.counting_bound(ends.closed)
-    order = straighter(lines, ends, one, corners, None, progress)
+    order = descend(lines, ends, count_corner, corners, None, progress)
     if goal == TURNING and order is not None:
         calm = corners * lines.least_turn * (1 + EQUAL)
-        order = straighter(lines, ends, lines.turn, calm, order, progress)
+        order = descend(lines, ends, lines.turn, calm, order, progress)
     if order is None:
         raise _impossible(goal, "none was found")
-    check(order, lines, closed=ends.closed)
-    return Searched(order, merits(lines, order, closed=ends.closed, bounds={}))
+    check_minimal(order, lines, closed=ends.closed)
+    return Searched(order, judge_straightness(lines, order, closed=ends.closed, bounds={}))
 
 
-def one(_i: int, _j: int, _k: int) -> float:
+def count_corner(_i: int, _j: int, _k: int) -> float:
     """The price of a corner where stops are counted."""
     return 1.0
 
 
-def _exact(lines: Lines, ends: Ends, goal: str) -> Searched:
+def _exact(lines: MinimalLegs, ends: Ends, goal: str) -> Searched:
     """By dynamic programming over subsets: all tours of minimal legs are compared."""
 
     def price(i: int, j: int, k: int) -> float:
@@ -133,22 +128,22 @@ def _exact(lines: Lines, ends: Ends, goal: str) -> Searched:
         goals = [first] if ends.closed else [ends.end] if ends.end is not None else range(count)
         final = [state for (_, j), state in arcs.items() if j in goals]
         start = Start(first, None if ends.closed else first)
-        one = least(count, count + len(arcs), moves, [start], final)
+        one = find_least(count, count + len(arcs), moves, [start], final)
         if one is not None and (found is None or one.cost < found.cost - 1e-9):
             found = one
     if found is None:
         raise _impossible(goal, "comparing all shows that there is none")
-    order = opened(found.nodes, closed=ends.closed)
+    order = open_cycle(found.nodes, closed=ends.closed)
     inner = count - 2 + ends.closed
     bound = (inner - floor(found.cost), EXACT) if goal == STRAIGHT else (found.cost, EXACT)
-    return Searched(order, merits(lines, order, closed=ends.closed, bounds={goal: bound}))
+    return Searched(order, judge_straightness(lines, order, closed=ends.closed, bounds={goal: bound}))
 
 
-def _shipped(lines: Lines, ends: Ends, goal: str) -> Searched | None:
+def _shipped(lines: MinimalLegs, ends: Ends, goal: str) -> Searched | None:
     """A tour from the data of a lattice congruent to the set, carried to it and to the ends; checked."""
     for name, kinds in json.loads(files("timelaw.tours").joinpath(DATA).read_text(encoding="utf-8")).items():
-        model = Lines(lattice(name))
-        nodes = congruence(model.quaternions, lines.quaternions)
+        model = MinimalLegs(make_lattice(name))
+        nodes = find_congruence(model.quaternions, lines.quaternions)
         if nodes is None or any(
             {nodes[j] for j in near} != set(lines.neighbours[nodes[i]])
             for i, near in enumerate(model.neighbours)
@@ -158,11 +153,13 @@ def _shipped(lines: Lines, ends: Ends, goal: str) -> Searched | None:
         bounds = {STRAIGHT: (kind["most straight nodes"], PROVED)}
         wanted = Ends(ends.closed, *(None if e is None else nodes.index(e) for e in (ends.start, ends.end)))
         for order in kind[GOALS[goal]]:
-            carried = moved(tuple(order), model.quaternions, wanted)
+            carried = move_tour(tuple(order), model.quaternions, wanted)
             if carried is not None:
                 found = [nodes[node] for node in carried]
-                check(found, lines, closed=ends.closed)
-                return Searched(tuple(found), merits(lines, found, closed=ends.closed, bounds=bounds))
+                check_minimal(found, lines, closed=ends.closed)
+                return Searched(
+                    tuple(found), judge_straightness(lines, found, closed=ends.closed, bounds=bounds)
+                )
     return None
 
 

@@ -9,11 +9,11 @@ import numpy as np
 from timelaw.errors import list_some
 from timelaw.numerics.array import Array
 from timelaw.orientations import OrientationSet
+from timelaw.tours import Tour
 from timelaw.tours.fastest import TIME
 from timelaw.tours.merit import Merit
 from timelaw.tours.shortest import MINIMAL
-from timelaw.tours.straight import STRAIGHT, TURNING
-from timelaw.tours.tour import Tour
+from timelaw.tours.straightest import STRAIGHT, TURNING
 
 ANGLES = ("length", TURNING)
 WORDS = {  # what it is, what no tour is beyond the bound, what this one is beyond it
@@ -23,12 +23,12 @@ WORDS = {  # what it is, what no tour is beyond the bound, what this one is beyo
 }
 
 
-def certificate(tour: Tour) -> list[str]:
+def describe_merits(tour: Tour) -> list[str]:
     """One sentence on each merit of a tour: what it is, what no tour can beat, and how that is known."""
     return [_sentence(tour, merit) for merit in tour.merits]
 
 
-def merit_data(merit: Merit) -> dict[str, Any]:
+def list_merit_data(merit: Merit) -> dict[str, Any]:
     """A merit as plain data; angles in degrees; no gap where the bound says nothing."""
     scale = np.degrees(1.0) if merit.name in ANGLES else 1.0
     return {
@@ -42,7 +42,7 @@ def merit_data(merit: Merit) -> dict[str, Any]:
 
 
 def _sentence(tour: Tour, merit: Merit) -> str:
-    nodes = len(tour.stops()) - 2
+    nodes = len(tour.visits()) - 2
     if merit.name == STRAIGHT:
         text = f"{merit.value:.0f} of {nodes} inner nodes go straight on; by {merit.proof} "
         return text + (
@@ -76,7 +76,7 @@ def _quantity(merit: Merit, number: float, *, down: bool = False) -> str:
     return f"{float(rounded):.6g}°" if angle else f"{rounded:.4f} s"
 
 
-def notes(points: OrientationSet) -> list[str]:
+def list_notes(points: OrientationSet) -> list[str]:
     """What there is to say of the orientations: what was left out, merged, or is the same."""
     same = list_some([f"{other} is {one}" for one, other in points.same])
     return [
@@ -85,22 +85,6 @@ def notes(points: OrientationSet) -> list[str]:
     ]
 
 
-def arc_table(points: OrientationSet) -> Array:
+def measure_arcs(points: OrientationSet) -> Array:
     """arccos(q_i·q_j) (N, N) [rad] on S³, without absolute value, as table 1 of [MMB2017] has it."""
     return np.arccos(np.clip(points.quaternions @ points.quaternions.T, -1.0, 1.0))
-
-
-def orientation_csv(points: OrientationSet, tour: Tour) -> str:
-    """The orientations in the order of the tour, as a table that `tour: given` visits as it stands.
-
-    The first of a closed tour is not repeated: `closed: true` returns to it.
-    """
-    rows: list[list[Any]] = [["label", "w", "x", "y", "z"]]
-    rows += [[points.labels[i], *(repr(float(c)) for c in points.quaternions[i])] for i in tour.order]
-    return "\n".join(",".join(map(_quoted, row)) for row in rows) + "\n"
-
-
-def _quoted(cell: str) -> str:
-    """A cell as CSV needs it."""
-    special = any(c in cell for c in ',"\n\r#') or cell != cell.strip()
-    return '"' + cell.replace('"', '""') + '"' if special else cell

@@ -13,7 +13,7 @@ Leg = tuple[int, int, int]  # from, to, sense
 SENSE = (1.0, 0.6180339887, 0.3183098862)  # no axis of a lattice is at right angles to it
 
 
-class Chains:
+class StraightRuns:
     """For a leg i → j, the nodes k with the axis of j → k equal to its own, nearest first.
 
     A half-turn has two senses, and keeps the one it began with: sense 1 is about the axis that is more than
@@ -54,18 +54,18 @@ class Chains:
                     elif node == run[0] and len(run) == self._count:
                         yield (*run, node)
 
-    def split(self, stops: tuple[int, ...]) -> list[tuple[int, ...]]:
+    def split(self, visits: tuple[int, ...]) -> list[tuple[int, ...]]:
         """A sequence of visits as runs, each with both its ends; half-turns go on as routes have it."""
         runs, first, senses = [], 0, {0, 1}
-        for at in range(1, len(stops) - 1):
-            i, j, k = stops[at - 1 : at + 2]
+        for at in range(1, len(visits) - 1):
+            i, j, k = visits[at - 1 : at + 2]
             onward = [way for sense in senses for way in self._onward.get((i, j, sense), ())]
             senses = {after for node, after in onward if node == k}
             if not senses or j not in self._passable:
-                runs.append(stops[first : at + 1])
+                runs.append(visits[first : at + 1])
                 first = at
             senses = senses or {0, 1}
-        return [*runs, stops[first:]]
+        return [*runs, visits[first:]]
 
 
 def _pairs(quaternions: Array, j: int) -> list[tuple[int, int, int, int]]:

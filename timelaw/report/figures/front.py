@@ -4,12 +4,12 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from timelaw.objectives import EFFORTS
-from timelaw.report.figures import LIMIT, OPTIMISED, STYLE, svg
+from timelaw.report.figures.style import LIMIT, OPTIMISED, STYLE, render_svg
 
 COLOURS = (OPTIMISED, "#b07400", "#1b6e3c", "#7a3f9d", "#5c5c61", LIMIT)
 
 
-def front(name: str, effort: str, groups: Mapping[str, Sequence[tuple[float, float]]]) -> str:
+def draw_front(name: str, effort: str, groups: Mapping[str, Sequence[tuple[float, float]]]) -> str:
     """SVG text: (time [s], effort) of each group as a line with its points, effort on a logarithmic scale."""
     import matplotlib as mpl
     from matplotlib.figure import Figure
@@ -30,4 +30,4 @@ def front(name: str, effort: str, groups: Mapping[str, Sequence[tuple[float, flo
             legend = ax.legend()
             for text in legend.get_texts():
                 text.set_parse_math(False)
-        return svg(figure, name)
+        return render_svg(figure, name)

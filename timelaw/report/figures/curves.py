@@ -12,7 +12,7 @@ from timelaw.numerics.bernstein import evaluate
 POINTS_PER_DEGREE = 16  # even, so that the middle of an interval, often a zero, is among them
 
 
-def rate_curve(segments: Sequence[Segment], order: int) -> tuple[Array, Array]:
+def trace_rate(segments: Sequence[Segment], order: int) -> tuple[Array, Array]:
     """Times [s] and |k-th rate| [rad/s^k] along the segments, a few points per degree of each interval."""
     times: list[Array] = []
     values: list[Array] = []

@@ -11,11 +11,11 @@ import numpy as np
 from timelaw.numerics.array import Array
 from timelaw.numerics.quaternion import conjugate, multiply
 from timelaw.numerics.turn import SAME_AXIS, angle_between_axes, find_turn
-from timelaw.tours.nearest import distances, nearest_neighbours
+from timelaw.tours.graph.distances import list_neighbours, measure_distances
 
 
 @dataclass(frozen=True)
-class Lines:
+class MinimalLegs:
     """Nearest neighbours of each orientation, and the node that goes straight on from i through j.
 
     q_k = q_j ⊗ (q_i* ⊗ q_j), the same turn again, up to sign; absent where that is no orientation
@@ -30,7 +30,7 @@ class Lines:
     @cached_property
     def neighbours(self) -> list[list[int]]:
         """Nodes at the minimal distance, of each node."""
-        return nearest_neighbours(distances(self.quaternions))
+        return list_neighbours(measure_distances(self.quaternions))
 
     @cached_property
     def axes(self) -> dict[tuple[int, int], Array]:
@@ -93,14 +93,14 @@ class Lines:
         """Legs of the longest run."""
         return max(self.reach)
 
-    def straight(self, stops: Sequence[int]) -> int:
+    def straight(self, visits: Sequence[int]) -> int:
         """How many inner nodes of a sequence of visits are passed straight on."""
-        triples = zip(stops, stops[1:], stops[2:], strict=False)
+        triples = zip(visits, visits[1:], visits[2:], strict=False)
         return sum(self.onward.get((a, b)) == c for a, b, c in triples)
 
-    def turning(self, stops: Sequence[int]) -> float:
+    def turning(self, visits: Sequence[int]) -> float:
         """Sum of the turns [rad] of the axis at the inner nodes of a sequence of visits."""
-        triples = zip(stops, stops[1:], stops[2:], strict=False)
+        triples = zip(visits, visits[1:], visits[2:], strict=False)
         return sum(self.turn(a, b, c) for a, b, c in triples)
 
     def counting_bound(self, closed: bool) -> int:

@@ -1,0 +1,1 @@
+"""Pictures as SVG texts. Matplotlib is imported only when one is drawn."""

@@ -1,0 +1,1 @@
+"""Commands that make published numbers again; nothing imports them."""

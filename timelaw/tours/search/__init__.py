@@ -1,0 +1,1 @@
+"""Searches for tours: pure combinatorics over costs, neighbours and runs."""
