@@ -1,37 +1,45 @@
 """`report.html`: one self-contained page, and the figures it shows as files of their own."""
 
-import platform
-from importlib.metadata import version
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 from markupsafe import Markup
 
-from timelaw import __version__
-from timelaw.certificate import NodeReport
 from timelaw.certificate.continuity import JUMP_TOLERANCE
-from timelaw.certificate.record import RECORD_TOLERANCE
-from timelaw.nlp.exchange import GAP
-from timelaw.objectives import OBJECTIVES
 from timelaw.pipeline import Design
-from timelaw.problem.objective import Goal
-from timelaw.report.active_limits import list_active
 from timelaw.report.figures.registry import draw_figures
-from timelaw.report.summary import list_law_rows, list_run_rows
-from timelaw.report.tour_text import describe_merits
-from timelaw.requirements.route_limit import limit_route
-
-PACKAGES = ("casadi", "numpy", "matplotlib")
-RATES = (("omega", "ω", "deg/s"), ("alpha", "α", "deg/s²"), ("jerk", "jerk", "deg/s³"))
+from timelaw.report.section import Facts, Section
+from timelaw.report.sections import SECTIONS
 
 
 def render_report(design: Design, digest: str) -> dict[str, str]:
     """Texts by file name: report.html and its figures. `digest` is that of the problem file."""
     pictures = draw_figures(design)
-    page = _environment().get_template("report.html").render(_context(design, digest, pictures))
+    facts = Facts(
+        design, digest, {name: Markup(text[text.index("<svg") :]) for name, text in pictures.items()}
+    )
+    environment = _environment()
+    sections = [
+        {"title": section.title, "body": _render_body(environment, section, facts)} for section in SECTIONS
+    ]
+    page = environment.get_template("report.html").render(problem=design.problem, sections=sections)
     return {"report.html": page, **pictures}
+
+
+def _render_body(environment: Environment, section: Section, facts: Facts) -> Markup:
+    """A section's template, filled; what it holds is escaped already."""
+    design = facts.design
+    common = {
+        "design": design,
+        "problem": design.problem,
+        "tour": design.tour,
+        "route": design.route,
+        "certificate": design.optimised.certificate,
+        "pictures": facts.pictures,
+    }
+    template = environment.get_template(f"sections/{section.template}")
+    return Markup(template.render(**common, **section.context(facts)))
 
 
 def _environment() -> Environment:
@@ -46,54 +54,6 @@ def _environment() -> Environment:
     environment.filters["vector"] = _vector
     environment.filters["shown"] = _shown
     return environment
-
-
-def _context(design: Design, digest: str, pictures: dict[str, str]) -> dict[str, Any]:
-    rows = list_law_rows(design)
-    return {
-        "design": design,
-        "problem": design.problem,
-        "tour": design.tour,
-        "certificate_lines": describe_merits(design.tour),
-        "route": design.route,
-        "rows": rows,
-        "active": {s.name: list_active(design.optimised.law, s) for s in design.optimised.law.legs},
-        "arcs": list(zip(design.route.legs, design.optimised.law.legs, design.solution.timings, strict=True)),
-        "best": rows[0],
-        "objective": _objective(design.problem.objective),
-        "least": limit_route(design.route, design.requirements),
-        "limits": [check.limit for check in design.optimised.certificate.limits],
-        "runs": list_run_rows(design),
-        "runs_count": len(design.requirements.runs(design.route)),
-        "kinds": [_kinds(entry.certificate.continuity.nodes) for entry in design.laws],
-        "rates": RATES,
-        "scales": {
-            entry.name: dict(zip([r[0] for r in RATES], entry.certificate.continuity.scales, strict=True))
-            for entry in design.laws
-        },
-        "pictures": {name: Markup(text[text.index("<svg") :]) for name, text in pictures.items()},
-        "digest": digest,
-        "file": Path(design.path).name,
-        "versions": {"timelaw": __version__, "Python": platform.python_version()}
-        | {name: version(name) for name in PACKAGES},
-        "tolerances": {"jump": JUMP_TOLERANCE, "gap": GAP, "record": RECORD_TOLERANCE},
-    }
-
-
-def _kinds(nodes: tuple[NodeReport, ...]) -> dict[str, float]:
-    """The largest jump of each rate over all nodes of a law."""
-    return {name: max(node.jump[name] for node in nodes) for name, _, _ in RATES}
-
-
-def _objective(goal: Goal) -> str:
-    """The objective in words."""
-    objective = OBJECTIVES[goal.minimise]
-    if not objective.takes:
-        return f"least {objective.words}"
-    if goal.total_time is None:
-        return f"least time plus {goal.weight:g} times {goal.minimise}, each relative to the least-time law"
-    unit = "times the least time" if goal.total_time.relative else "s"
-    return f"least {objective.words} in a total time of {goal.total_time.value:g} {unit}"
 
 
 def _shown(value: float, unit: str) -> str:

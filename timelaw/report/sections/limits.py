@@ -1,0 +1,5 @@
+"""Every limit with its proved peak."""
+
+from timelaw.report.section import Section
+
+SECTION = Section("Limits", "limits.html", lambda _: {})

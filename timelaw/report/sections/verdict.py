@@ -1,0 +1,19 @@
+"""What came of it, in three sentences: certified or not, how fast, how smooth."""
+
+from typing import Any
+
+from timelaw.report.section import Facts, Section
+from timelaw.report.tour_text import describe_merits
+
+
+def _context(facts: Facts) -> dict[str, Any]:
+    design = facts.design
+    return {
+        "certificate_lines": describe_merits(design.tour),
+        "runs_count": len(design.requirements.runs(design.route)),
+        "best": facts.rows[0],
+        "least": facts.limit,
+    }
+
+
+SECTION = Section("", "verdict.html", _context)
