@@ -7,6 +7,7 @@ import numpy as np
 
 from timelaw import design
 from timelaw.limits import Demand, drop_implied, list_rows, make_limits
+from timelaw.limits.body import RigidBody
 from timelaw.limits.torque import square_torque
 from timelaw.problem import parse_problem
 
@@ -44,8 +45,9 @@ AXIS = np.array([2.0, 3.0, 6.0]) / 7
 def demand(angle, limits, axis=AXIS, inertia=None, duration=None):
     """What must hold on a leg about `axis` under limits given by name."""
     axis = np.asarray(axis, dtype=float)
-    rows = drop_implied(list_rows(make_limits(limits, inertia), axis))
-    return Demand(float(angle), rows, duration, square_torque(inertia, axis) if inertia is not None else None)
+    body = None if inertia is None else RigidBody(inertia)
+    rows = drop_implied(list_rows(make_limits(limits, body), axis))
+    return Demand(float(angle), rows, duration, square_torque(body, axis) if body is not None else None)
 
 
 def demands(angles, limits, **others):

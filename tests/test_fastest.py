@@ -11,6 +11,7 @@ from timelaw.errors import InputError
 from timelaw.least_time import double_s
 from timelaw.least_time.physical_limit import run_limit
 from timelaw.limits import Demand, drop_implied, list_rows, make_limits
+from timelaw.limits.body import RigidBody
 from timelaw.orientations.lattices import make_lattice
 from timelaw.pipeline import lay_out
 from timelaw.tours.ends import Ends
@@ -23,7 +24,9 @@ BY_AXIS = {"velocity": (1.0, 0.5, 2.0), "acceleration": (2.0, 2.0, 1.0), "jerk":
 
 def clock(q, limits=None, inertia=None, passable=None):
     return TravelTimes(
-        q, make_limits(limits or LIMITS, inertia), range(len(q)) if passable is None else passable
+        q,
+        make_limits(limits or LIMITS, None if inertia is None else RigidBody(inertia)),
+        range(len(q)) if passable is None else passable,
     )
 
 
@@ -54,7 +57,7 @@ def test_the_clock_agrees_with_the_rows_of_each_leg(limits):
             Rotation.from_quat(q[i], scalar_first=True).inv() * Rotation.from_quat(q[j], scalar_first=True)
         ).as_rotvec()
         angle = np.linalg.norm(turn)
-        rows = drop_implied(list_rows(make_limits(limits, inertia), turn / angle))
+        rows = drop_implied(list_rows(make_limits(limits, RigidBody(inertia)), turn / angle))
         assert times[i, j] == pytest.approx(run_limit([Demand(angle, rows)]), rel=1e-9)
 
 
@@ -175,7 +178,7 @@ def test_a_leg_without_a_limit():
     q = Rotation.from_euler("ZYX", [(0, 0, 0), (30, 0, 0), (0, 40, 0)], degrees=True).as_quat(
         scalar_first=True
     )
-    limits = make_limits({"torque": (1.0, 1.0, 1.0)}, np.eye(3))
+    limits = make_limits({"torque": (1.0, 1.0, 1.0)}, RigidBody(np.eye(3)))
     assert np.all(np.isfinite(TravelTimes(q, limits, range(3)).legs))
 
 

@@ -11,8 +11,11 @@ from timelaw.easing.smoothstep import control_points
 from timelaw.easing.time_scaling import fit_to_limits, list_used, used_fraction
 from timelaw.least_time.phase_plane import phase_plane_time
 from timelaw.limits import LIMITS, list_rows, make_limits
+from timelaw.limits.body import RigidBody
+from timelaw.limits.demand import Demand
 from timelaw.nlp import RunProblem, Status
 from timelaw.nlp.single_runs import solve_run
+from timelaw.numerics.bernstein import evaluate
 from timelaw.numerics.polynomial import Polynomial
 
 INERTIA = np.array([[12.0, 1.0, -0.5], [1.0, 10.0, 0.7], [-0.5, 0.7, 8.0]])
@@ -78,12 +81,50 @@ def test_torque_and_momentum_are_eulers(seed):
         **{f"momentum {n}": v for n, v in zip("xyz", np.max(np.abs(momentum), axis=0), strict=True)},
     }
     for bounds in ({"torque": 1.0, "momentum": 1.0}, {"torque": (1.0,) * 3, "momentum": (1.0,) * 3}):
-        rows = list_rows(make_limits(bounds, INERTIA), axis)
-        leg = demand(2.0, bounds, axis, INERTIA)
+        rows = list_rows(make_limits(bounds, RigidBody(INERTIA)), axis)
+        leg = Demand(2.0, rows)  # with those that another one implies
         found = {row.label: ratio ** (1 / row.root) for row, ratio in list_used([leg], [timing])}
-        for row in rows:
-            if row.label in found:  # rows that another one implies are left out
-                assert found[row.label] == pytest.approx(expected[row.label], rel=1e-5)
+        assert found == pytest.approx({label: expected[label] for label in found}, rel=1e-5)
+        assert len(found) == len(rows)
+
+
+BOUNDS = {"norm": 1.5, "by axis": (1.0, 2.0, 3.0)}
+
+
+@pytest.mark.parametrize("actuator", ["external", "wheels"])
+@pytest.mark.parametrize("form", BOUNDS)
+@pytest.mark.parametrize("name", LIMITS)
+def test_on_a_leg_the_formula_in_vectors_is_what_the_rows_say(name, form, actuator):
+    """Every limit of the registry, with ω = n φ', α = n φ'', … as arrays over time and as polynomials."""
+    rng = np.random.default_rng(7)
+    axis = rng.normal(size=3)
+    axis /= np.linalg.norm(axis)
+    (limit,) = make_limits({name: BOUNDS[form]}, RigidBody(INERTIA, actuator))
+    rates = {k: rng.normal(size=50) for k in (1, 2, 3, 4)}
+    rows = {row.label: row for row in limit.on(axis)}
+    formulas = limit.of({k: [n * rate for n in axis] for k, rate in rates.items()})
+    assert [formula.label for formula in formulas] == list(rows)
+    polynomials = {k: Polynomial(rng.normal(size=6 - k)) for k in rates}
+    vectors = limit.of({k: [float(n) * p for n in axis] for k, p in polynomials.items()})
+    for formula, vector in zip(formulas, vectors, strict=True):
+        row = rows[formula.label]
+        size = np.array([row.size(abs(g)) for g in row.value(rates)])
+        np.testing.assert_allclose(np.abs(formula.value) ** (1 / formula.root), size, rtol=1e-11, atol=1e-13)
+        assert formula.bound ** (1 / formula.root) == pytest.approx(row.size(row.bound), rel=1e-14)
+        power = formula.root // row.root  # the formula of a norm is a square, a row need not be
+        along = row.value(polynomials)
+        for u in (0.0, 0.3, 1.0):
+            expected = abs(float(evaluate(along.control, u))) ** power
+            assert abs(float(evaluate(vector.value.control, u))) == pytest.approx(
+                expected, rel=1e-9, abs=1e-12
+            )
+
+
+def test_the_formula_of_the_momentum_counts_that_of_body_and_wheels():
+    (limit,) = make_limits({"momentum": 1.0}, RigidBody(INERTIA, "wheels", np.array([1.0, 2.0, 3.0])))
+    (formula,) = limit.of({1: [0.1, 0.2, -0.1]}, [1.0, 2.0, 3.0])
+    stored = np.array([1.0, 2.0, 3.0]) - INERTIA @ [0.1, 0.2, -0.1]
+    assert formula.value == pytest.approx(stored @ stored)
 
 
 @pytest.mark.parametrize("limit", ["velocity", "acceleration", "jerk", "torque", "momentum"])

@@ -30,5 +30,5 @@ def compose_law(
         for rates, leg in ((requirements.start, route.legs[0]), (requirements.end, route.legs[-1]))
     )
     return QuaternionLaw(
-        name, tuple(segments), requirements.limits, requirements.inertia, continuity, before, after
+        name, tuple(segments), requirements.limits, requirements.body, continuity, before, after
     )

@@ -71,6 +71,7 @@ class Certificate:
                     "segment": c.segment,
                     "margin": c.margin,
                     "holds": c.holds,
+                    **({"note": c.note} if c.note else {}),
                 }
                 for c in self.limits
             ],

@@ -18,7 +18,7 @@ class LimitCheck:
 
     `peak` is a value the law takes, at `time` [s] in `segment`; `upper` a bound it never exceeds,
     rounding included. The limit holds if `upper` ≤ `bound`; no tolerance. `order` is the highest
-    rate that enters it.
+    rate that enters it. A `note` says where more is demanded than the limit itself.
     """
 
     limit: str
@@ -29,6 +29,7 @@ class LimitCheck:
     segment: str
     unit: str
     order: int
+    note: str = ""
 
     @property
     def holds(self) -> bool:
@@ -62,16 +63,17 @@ def _check(label: str, places: list[tuple[Segment, Quantity]]) -> LimitCheck:
     tops = enclose_peaks([quantity.value for _, quantity in places])
     highest = max(range(len(tops)), key=lambda i: tops[i].lower)
     (segment, quantity), top = places[highest], tops[highest]
-    row, root = quantity.row, 1 / quantity.row.root
+    row = quantity.row
     tau = float(quantity.start + top.at * (quantity.end - quantity.start))
     return LimitCheck(
         label,
-        row.bound**root,
-        top.lower**root,
+        row.size(row.bound),
+        row.size(top.lower),
         # NumPy's maximum of what is not a number is not a number
-        float(np.max([top.upper**root for top in tops])) * ROUNDING,
+        float(np.max([row.size(top.upper) for top in tops])) * ROUNDING,
         segment.start_time + segment.duration * tau,
         segment.name,
         row.unit,
         max(row.orders),
+        row.note,
     )

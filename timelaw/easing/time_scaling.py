@@ -2,14 +2,17 @@
 
 from collections.abc import Sequence
 from functools import partial
+from math import inf
 
 from timelaw.easing.timing import Timing
+from timelaw.errors import InfeasibleError
 from timelaw.limits import Demand, Row
 from timelaw.limits.polynomials import expand_rows
 from timelaw.numerics.extrema import enclose_peaks
 
 CLEARANCE = 1e-12  # relative: covers the rounding of the stretched durations themselves
 REPETITIONS = 8
+ROOT_TOLERANCE = 1e-14  # relative, of a factor found as a root; the clearance covers it
 
 
 def list_used(demands: Sequence[Demand], timings: Sequence[Timing]) -> list[tuple[Row, float]]:
@@ -31,15 +34,43 @@ def used_fraction(demands: Sequence[Demand], timings: Sequence[Timing]) -> float
 def fit_to_limits(demands: Sequence[Demand], timings: Sequence[Timing]) -> tuple[Timing, ...]:
     """Stretch (or shrink) all legs of a run by one factor, so that the worst limit is just held.
 
-    One factor keeps rates equal from both sides at the nodes of the run; every row is homogeneous
-    in time, so the factor is exact but for rounding, which a few repetitions with a growing
-    clearance absorb.
+    One factor keeps rates equal from both sides at the nodes of the run. A few repetitions with a growing
+    clearance absorb the rounding of the factor.
+
+    Raises:
+        InfeasibleError: the law does not come within its limits, as where its numbers are not finite.
     """
     fitted, clearance = tuple(timings), CLEARANCE
     for _ in range(REPETITIONS):
-        factor = max(ratio ** (1 / row.power) for row, ratio in list_used(demands, fitted))
-        fitted = tuple(timing.stretched(factor * (1 + clearance)) for timing in fitted)
+        fitted = _stretch(fitted, _find_factor(demands, fitted) * (1 + clearance))
         if used_fraction(demands, fitted) <= 1:
-            break
+            return fitted
         clearance *= 10
-    return fitted
+    used = used_fraction(demands, fitted)
+    message = f"no stretch of time brings the law within its limits: {used:.9g} of them is used at the end"
+    raise InfeasibleError(message)
+
+
+def _stretch(timings: Sequence[Timing], factor: float) -> tuple[Timing, ...]:
+    return tuple(timing.stretched(factor) for timing in timings)
+
+
+def _find_factor(demands: Sequence[Demand], timings: Sequence[Timing]) -> float:
+    """The factor by which time is stretched until the worst limit is just held.
+
+    Where every row is homogeneous, g falls as time^power and the factor is exact. A row whose terms fall by
+    different powers gives a bracket, and the factor is the root of used part = 1 in it.
+    """
+    used = list_used(demands, timings)
+    factors: list[list[float]] = [[ratio ** (1 / power) for power in row.powers] for row, ratio in used]
+    least, most = max(min(f) for f in factors), max(max(f) for f in factors)
+    if least == most or not most < inf:
+        return most
+    from scipy.optimize import brentq
+
+    def excess(factor: float) -> float:
+        return max(float(ratio) for _, ratio in list_used(demands, _stretch(timings, factor))) - 1
+
+    if excess(least) <= 0:
+        return least
+    return float(brentq(excess, least, most * (1 + CLEARANCE), rtol=ROOT_TOLERANCE))

@@ -7,9 +7,11 @@ import numpy as np
 from pydantic import ValidationError
 
 from timelaw.errors import Fault, InputError
-from timelaw.law_file.schema import LawDocument
+from timelaw.law_file.schema import BodyDocument, LawDocument
 from timelaw.limits import LIMITS
+from timelaw.limits.body import EXTERNAL, RigidBody
 from timelaw.limits.bounds import read_bounds, write_bounds
+from timelaw.limits.momentum import find_contradiction
 from timelaw.motion import QuaternionLaw
 from timelaw.motion.kinds import KINDS
 from timelaw.motion.segment import RATES
@@ -35,8 +37,8 @@ def to_document(law: QuaternionLaw) -> dict[str, Any]:
     }
     if law.continuity:
         document["continuity"] = law.continuity
-    if law.inertia is not None:
-        document["body"] = {"inertia": law.inertia.tolist()}
+    if law.body is not None:
+        document["body"] = _write_body(law.body)
     if law.before or law.after:
         sides = {"before": law.before, "after": law.after}
         document["outside"] = {
@@ -58,28 +60,42 @@ def from_document(document: Any, path: str = "") -> QuaternionLaw:
         raise InputError(*(_fault(details, path) for details in error.errors())) from None
     if read.conventions != CONVENTIONS:
         raise InputError(Fault(f"{read.conventions}; allowed: {CONVENTIONS}", "conventions", path))
-    inertia = np.array(read.body.inertia, dtype=float) if read.body else None
+    body = _read_body(read.body) if read.body else None
     if not read.limits:
         raise InputError(Fault("at least one limit is needed, or there is nothing to prove", "limits", path))
     segments = tuple(KINDS[segment.kind].read(segment) for segment in read.segments)
     for limits in (read.limits, *(segment.limits for segment in segments)):
-        _check_limits(limits, inertia, path)
+        _check_limits(limits, body, path)
     outside = (read.outside.before, read.outside.after) if read.outside else (None, None)
     before, after = (
         {k: np.array(getattr(rates, name), dtype=float) for k, name in RATES.items()} if rates else {}
         for rates in outside
     )
-    return QuaternionLaw(
-        read.name, segments, read_bounds(read.limits), inertia, read.continuity, before, after
-    )
+    return QuaternionLaw(read.name, segments, read_bounds(read.limits), body, read.continuity, before, after)
 
 
-def _check_limits(limits: Mapping[str, Any], inertia: Any, path: str) -> None:
-    for name in limits:
+def _write_body(body: RigidBody) -> dict[str, Any]:
+    """The inertia, and who turns the body if it is not turned from outside."""
+    document: dict[str, Any] = {"inertia": body.inertia.tolist()}
+    if body.actuator != EXTERNAL:
+        document |= {"actuator": body.actuator, "momentum": body.momentum.tolist()}
+    return document
+
+
+def _read_body(body: BodyDocument) -> RigidBody:
+    inertia, momentum = (np.array(part, dtype=float) for part in (body.inertia, body.momentum))
+    return RigidBody(inertia, body.actuator, momentum)
+
+
+def _check_limits(limits: Mapping[str, Any], body: RigidBody | None, path: str) -> None:
+    for name, bounds in limits.items():
         if name not in LIMITS:
             raise InputError(Fault(f'unknown limit "{name}"; known: {", ".join(LIMITS)}', "limits", path))
-        if LIMITS[name].needs_inertia and inertia is None:
+        if LIMITS[name].needs_inertia and body is None:
             raise InputError(Fault(f'a limit on the {name} needs "body": {{"inertia": …}}', "limits", path))
+        reason = find_contradiction(name, bounds, body)
+        if reason:
+            raise InputError(Fault(reason, f"limits.{name}", path))
 
 
 def _fault(details: Any, path: str) -> Fault:

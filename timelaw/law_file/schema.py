@@ -2,8 +2,10 @@
 
 from typing import TYPE_CHECKING, Annotated, Any, Literal, Union
 
-from pydantic import BeforeValidator, Field
+from pydantic import AfterValidator, BeforeValidator, Field
 
+from timelaw.limits.body import EXTERNAL
+from timelaw.limits.torque import ACTUATORS
 from timelaw.motion.kinds import KINDS
 from timelaw.motion.schema import BoundsDocument, Duration, Part, Vector3
 
@@ -20,10 +22,19 @@ def _no_truth(value: Any) -> Any:
     return value
 
 
+def _known_actuator(value: str) -> str:
+    """One of the registry."""
+    if value not in ACTUATORS:
+        raise ValueError(f"one of {', '.join(ACTUATORS)} is needed")
+    return value
+
+
 class BodyDocument(Part):
     """The body, where a limit needs to know it."""
 
     inertia: Annotated[list[Vector3], Field(min_length=3, max_length=3)]
+    actuator: Annotated[str, AfterValidator(_known_actuator)] = EXTERNAL
+    momentum: Vector3 = Field(default_factory=lambda: [0.0, 0.0, 0.0])
 
 
 class RatesDocument(Part):

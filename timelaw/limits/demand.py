@@ -2,7 +2,8 @@
 
 from dataclasses import dataclass
 
-from timelaw.limits.row import Row, TorqueNormRow
+from timelaw.limits.coupled_row import TorqueNormRow
+from timelaw.limits.row import Row
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,9 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
+from timelaw.limits.body import RigidBody
 from timelaw.limits.bounds import Bounds
+from timelaw.limits.formula import Formula, Rates, Vector
 from timelaw.limits.row import Row
 from timelaw.numerics.array import Array
 from timelaw.units import Kind
@@ -16,6 +18,10 @@ class Limit(Protocol):
     @property
     def couples(self) -> bool:
         """Whether on a leg it ties rates of different orders together, so that no bound on one says all."""
+        ...
+
+    def of(self, rates: Rates, total: Vector = ...) -> Sequence[Formula]:
+        """The limit as formulas in the vectors ω, α, …; `total` is the angular momentum H in body axes."""
         ...
 
     def on(self, axis: Array) -> Sequence[Row]:
@@ -31,13 +37,13 @@ class Limit(Protocol):
 class LimitKind:
     """One key of the `limits` of problem and law files.
 
-    `quantity` is its unit, `make` the limit from bounds and inertia J (3, 3), which it `needs_inertia`
-    for or not. Continuity of class C^`continuity` is the least under which it can hold: where a rate
-    jumps, the next one is unbounded. One that is not `sufficient` bounds no motion by itself.
+    `quantity` is its unit, `make` the limit from bounds and the body, whose inertia it needs or not.
+    Continuity of class C^`continuity` is the least under which it can hold: where a rate jumps, the
+    next one is unbounded. One that is not `sufficient` bounds no motion by itself.
     """
 
     quantity: Kind
-    make: Callable[[Bounds, Array], Limit]
+    make: Callable[[Bounds, RigidBody], Limit]
     needs_inertia: bool = False
     continuity: int = 1
     sufficient: bool = True

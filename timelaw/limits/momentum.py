@@ -1,40 +1,62 @@
 """Limits on the stored angular momentum, as reaction wheels have them."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Any
 
 import numpy as np
 
-from timelaw.limits.bounds import AXES, Bounds, least_quotient
+from timelaw.limits.body import RigidBody
+from timelaw.limits.bounds import Bounds, bound_vector, least_quotient, lessen, row_labels
+from timelaw.limits.formula import Formula, Rates, Vector, apply, subtract
 from timelaw.limits.row import RateRow
 from timelaw.numerics.array import Array
 
 UNIT = "N·m·s"
+NOTE = "|H| of {:.6g} N·m·s counts in full, for it turns against the body: |H - Jω| ≤ |H| + |Jω| is used"
 
 
 @dataclass(frozen=True)
 class Momentum:
-    """|J n φ'| ≤ h for the norm, |(J n)_i φ'| ≤ h_i for three body axes; `inertia` J (3, 3) [kg·m²]."""
+    """|H - Jω| ≤ h for the norm, |(H - Jω)_i| ≤ h_i for three body axes; H = 0 unless the body has some.
+
+    On a leg H - J n φ' is bounded by |H| + |J n φ'|, since H turns against the body: |J n φ'| ≤ h - |H|.
+    """
 
     name: str
     bounds: Bounds
-    inertia: Array
-    couples: ClassVar[bool] = False
+    body: RigidBody
 
-    def on(self, axis: Array) -> tuple[RateRow, ...]:
-        """Rows on a leg about `axis` (3,)."""
-        momentum = self.inertia @ axis
-        if not isinstance(self.bounds, tuple):
-            size = float(np.linalg.norm(momentum))
-            return (RateRow(self.name, self.name, UNIT, 1, size, self.bounds),)
-        return tuple(
-            RateRow(self.name, f"{self.name} {name}", UNIT, 1, float(h), bound)
-            for name, h, bound in zip(AXES, momentum, self.bounds, strict=True)
+    @property
+    def couples(self) -> bool:
+        """It bounds φ' alone."""
+        return False
+
+    def of(self, rates: Rates, total: Vector = (0.0, 0.0, 0.0)) -> list[Formula]:
+        """H - Jω, `total` being H (3,) in body axes at that instant."""
+        return bound_vector(
+            self.name, subtract(total, apply(self.body.inertia.tolist(), rates[1])), self.bounds
         )
+
+    def on(self, axis: Array) -> Sequence[RateRow]:
+        """Rows on a leg about `axis` (3,)."""
+        total = self.body.total_momentum
+        note = NOTE.format(total) if total else ""
+        left = lessen(self.bounds, total)
+        return [
+            RateRow(self.name, label, UNIT, 1, factor, bound, total, note)
+            for label, factor, bound in row_labels(self.name, self.body.inertia @ axis, left)
+        ]
 
     def bound_rates(self, axes: Array) -> dict[int, Array]:
         """The bound (...) on |φ'| for legs about many axes (..., 3)."""
-        momentum = axes @ self.inertia.T
-        if not isinstance(self.bounds, tuple):
-            return {1: np.asarray(self.bounds / np.linalg.norm(momentum, axis=-1))}
-        return {1: least_quotient(self.bounds, momentum)}
+        return {1: least_quotient(lessen(self.bounds, self.body.total_momentum), axes @ self.body.inertia.T)}
+
+
+def find_contradiction(name: str, bounds: Any, body: RigidBody | None) -> str:
+    """Why a limit on the momentum can hold at no time at all; empty if it can."""
+    total = body.total_momentum if body is not None else 0.0
+    if name != "momentum" or total < np.min(bounds):
+        return ""
+    given = float(np.min(bounds))
+    return f"the total momentum |H| is {total:.6g} N*m*s; a limit above it is needed, not {given:.6g} N*m*s"

@@ -1,11 +1,13 @@
 """Limits on angular velocity, acceleration, jerk and snap: one class with an order."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
 
-from timelaw.limits.bounds import AXES, Bounds, least_quotient
+from timelaw.limits.bounds import Bounds, bound_vector, least_quotient, row_labels
+from timelaw.limits.formula import Formula, Rates, Vector
 from timelaw.limits.row import RateRow
 from timelaw.numerics.array import Array
 
@@ -14,10 +16,10 @@ UNITS = {1: "rad/s", 2: "rad/s²", 3: "rad/s³", 4: "rad/s⁴"}
 
 @dataclass(frozen=True)
 class Rate:
-    """|d^k φ/dt^k| ≤ w for a norm, |n_i d^k φ/dt^k| ≤ w_i for three body axes.
+    """|ω^(k-1)| ≤ w for the norm of the k-th rate, |ω_i^(k-1)| ≤ w_i for three body axes.
 
-    φ is the angle travelled: on a leg the axis n is fixed in the body, so ω = φ' n, α = φ'' n,
-    j = φ''' n.
+    On a leg the axis n is fixed in the body and φ is the angle travelled, so ω = φ' n, α = φ'' n, and
+    so on: |φ^(k)| ≤ w, or |n_i φ^(k)| ≤ w_i.
     """
 
     name: str
@@ -25,20 +27,17 @@ class Rate:
     bounds: Bounds
     couples: ClassVar[bool] = False
 
-    def on(self, axis: Array) -> tuple[RateRow, ...]:
+    def of(self, rates: Rates, total: Vector = (0.0, 0.0, 0.0)) -> list[Formula]:  # noqa: ARG002
+        """V · v ≤ w², or v_i ≤ w_i, v the k-th rate."""
+        return bound_vector(self.name, rates[self.order], self.bounds)
+
+    def on(self, axis: Array) -> Sequence[RateRow]:
         """Rows on a leg about `axis` (3,)."""
-        unit = UNITS[self.order]
-        if not isinstance(self.bounds, tuple):
-            return (
-                RateRow(self.name, self.name, unit, self.order, float(np.linalg.norm(axis)), self.bounds),
-            )
-        return tuple(
-            RateRow(self.name, f"{self.name} {name}", unit, self.order, float(n), bound)
-            for name, n, bound in zip(AXES, axis, self.bounds, strict=True)
-        )
+        return [
+            RateRow(self.name, label, UNITS[self.order], self.order, factor, bound)
+            for label, factor, bound in row_labels(self.name, axis, self.bounds)
+        ]
 
     def bound_rates(self, axes: Array) -> dict[int, Array]:
         """The bound (...) on |d^k φ/dt^k| for legs about many axes (..., 3)."""
-        if not isinstance(self.bounds, tuple):
-            return {self.order: np.asarray(self.bounds / np.linalg.norm(axes, axis=-1))}
-        return {self.order: least_quotient(self.bounds, axes)}
+        return {self.order: least_quotient(self.bounds, np.asarray(axes))}

@@ -4,12 +4,13 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from timelaw.limits.body import RigidBody
 from timelaw.limits.bounds import Bounds
 from timelaw.limits.limit import Limit, LimitKind
 from timelaw.limits.momentum import Momentum
 from timelaw.limits.rate import Rate
 from timelaw.limits.row import Row
-from timelaw.limits.torque import Torque
+from timelaw.limits.torque import ACTUATORS
 from timelaw.numerics.array import Array
 from timelaw.units import ANGULAR_ACCELERATION, ANGULAR_JERK, ANGULAR_SNAP, ANGULAR_VELOCITY, MOMENTUM, TORQUE
 
@@ -21,18 +22,20 @@ LIMITS: dict[str, LimitKind] = {
         ANGULAR_SNAP, lambda bounds, _: Rate("snap", 4, bounds), continuity=3, sufficient=False
     ),
     "torque": LimitKind(
-        TORQUE, lambda bounds, inertia: Torque("torque", bounds, inertia), needs_inertia=True
+        TORQUE,
+        lambda bounds, body: ACTUATORS[body.actuator]("torque", bounds, body),
+        needs_inertia=True,
     ),
     "momentum": LimitKind(
-        MOMENTUM, lambda bounds, inertia: Momentum("momentum", bounds, inertia), needs_inertia=True
+        MOMENTUM, lambda bounds, body: Momentum("momentum", bounds, body), needs_inertia=True
     ),
 }
+POINT = RigidBody(np.eye(3))  # for limits that ask for no body
 
 
-def make_limits(given: Mapping[str, Bounds], inertia: Array | None = None) -> tuple[Limit, ...]:
+def make_limits(given: Mapping[str, Bounds], body: RigidBody | None = None) -> tuple[Limit, ...]:
     """The limits that a problem or law file gives, in the order of the registry."""
-    matrix = np.eye(3) if inertia is None else inertia
-    return tuple(kind.make(given[name], matrix) for name, kind in LIMITS.items() if name in given)
+    return tuple(kind.make(given[name], body or POINT) for name, kind in LIMITS.items() if name in given)
 
 
 def list_rows(limits: Sequence[Limit], axis: Array) -> tuple[Row, ...]:

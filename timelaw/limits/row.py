@@ -4,15 +4,16 @@ Along a leg the axis n stays the same in the body, so each limit becomes |g(φ',
 every instant, g a polynomial. `rates[k]` is the k-th time derivative of the angle in whatever
 form: symbols of the solver, polynomials in time, or arrays of numbers.
 
-Stretching time by c divides g by c^power, because every row is homogeneous; `root` says that g is
-the root-th power of the limited quantity (2 for norms of vectors), so the fraction of the limit
-used is (|g|/bound)^(1/root). `limit` is the key a row comes from, `label` names the axis too;
-`coefficients` tell rows of one label apart.
+Stretching time by c divides g by c^power where the row is homogeneous, else its terms by the least to
+the greatest of `powers`; `root` says that g is the root-th power of the limited quantity (2 for norms
+of vectors), so the fraction of the limit used is (|g|/bound)^(1/root). `limit` is the key a row comes
+from, `label` names the axis too; `coefficients` tell rows of one label apart; a `note` says where a
+row demands more than the limit itself.
 """
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from math import inf, sqrt
+from math import inf
 from typing import Any, ClassVar, Protocol
 
 
@@ -33,8 +34,11 @@ class Row(Protocol):
         ...
 
     @property
-    def power(self) -> int:
-        """Of the time by which |g| falls when time is stretched."""
+    def note(self) -> str: ...  # noqa: D102
+
+    @property
+    def powers(self) -> tuple[int, ...]:
+        """Of the time by which the terms of |g| fall when time is stretched; one for a homogeneous row."""
         ...
 
     @property
@@ -49,6 +53,10 @@ class Row(Protocol):
 
     def value(self, rates: Mapping[int, Any]) -> Any:
         """The polynomial g."""
+        ...
+
+    def size(self, value: float) -> float:
+        """The limited quantity, if |g| is this."""
         ...
 
     def coefficients(self) -> tuple[float, ...]:
@@ -70,7 +78,7 @@ class Row(Protocol):
 
 @dataclass(frozen=True)
 class RateRow:
-    """|factor φ^(order)| ≤ bound."""
+    """|factor φ^(order)| ≤ bound; the limited quantity is larger by a constant `offset`."""
 
     limit: str
     label: str
@@ -78,6 +86,8 @@ class RateRow:
     order: int
     factor: float
     bound: float
+    offset: float = 0.0
+    note: str = ""
     root: ClassVar[int] = 1
     couples: ClassVar[bool] = False
 
@@ -87,13 +97,17 @@ class RateRow:
         return (self.order,)
 
     @property
-    def power(self) -> int:
+    def powers(self) -> tuple[int, ...]:
         """Time scaling: the order itself."""
-        return self.order
+        return (self.order,)
 
     def value(self, rates: Mapping[int, Any]) -> Any:
         """Factor times the rate."""
         return self.factor * rates[self.order]
+
+    def size(self, value: float) -> float:
+        """What is limited."""
+        return value + self.offset
 
     def coefficients(self) -> tuple[float, ...]:
         """Factor and bound."""
@@ -110,83 +124,6 @@ class RateRow:
     def acceleration_limits(self, v: float) -> tuple[float, float]:  # noqa: ARG002
         """The bound on both sides, if it is one on φ''."""
         return self.rate_bound(2), self.rate_bound(2)
-
-
-class Coupled:
-    """What rows have in common that tie φ'' to φ'."""
-
-    orders: ClassVar[tuple[int, ...]] = (1, 2)
-    couples: ClassVar[bool] = True
-
-    def rate_bound(self, order: int) -> float:  # noqa: ARG002
-        """No bound on one rate alone."""
-        return inf
-
-
-@dataclass(frozen=True)
-class TorqueRow(Coupled):
-    """|linear φ'' + gyroscopic φ'²| ≤ bound: one axis of τ = J n φ'' + (n × J n) φ'²."""
-
-    limit: str
-    label: str
-    unit: str
-    linear: float
-    gyroscopic: float
-    bound: float
-    power: ClassVar[int] = 2
-    root: ClassVar[int] = 1
-
-    def value(self, rates: Mapping[int, Any]) -> Any:
-        """The torque about one axis."""
-        return self.linear * rates[2] + self.gyroscopic * (rates[1] * rates[1])
-
-    def coefficients(self) -> tuple[float, ...]:
-        """Both factors and the bound."""
-        return (self.linear, self.gyroscopic, self.bound)
-
-    def speed_limit(self) -> float:
-        """Where the gyroscopic torque alone reaches the bound."""
-        return sqrt(self.bound / abs(self.gyroscopic)) if self.gyroscopic else inf
-
-    def acceleration_limits(self, v: float) -> tuple[float, float]:
-        """What the gyroscopic torque leaves on either side."""
-        if not self.linear:
-            return inf, inf
-        drift = self.gyroscopic * v * v * (1 if self.linear > 0 else -1)
-        up, down = max(self.bound - drift, 0.0), max(self.bound + drift, 0.0)
-        return up / abs(self.linear), down / abs(self.linear)
-
-
-@dataclass(frozen=True)
-class TorqueNormRow(Coupled):
-    """linear² φ''² + gyroscopic² φ'⁴ ≤ bound, a square: J n and n × J n are at right angles."""
-
-    limit: str
-    label: str
-    unit: str
-    linear: float
-    gyroscopic: float
-    bound: float
-    power: ClassVar[int] = 4
-    root: ClassVar[int] = 2
-
-    def value(self, rates: Mapping[int, Any]) -> Any:
-        """The square of the torque."""
-        square = rates[1] * rates[1]
-        return self.linear**2 * (rates[2] * rates[2]) + self.gyroscopic**2 * (square * square)
-
-    def coefficients(self) -> tuple[float, ...]:
-        """Both factors and the bound."""
-        return (self.linear, self.gyroscopic, self.bound)
-
-    def speed_limit(self) -> float:
-        """Where the gyroscopic torque alone reaches the bound."""
-        return float((self.bound / self.gyroscopic**2) ** 0.25) if self.gyroscopic else inf
-
-    def acceleration_limits(self, v: float) -> tuple[float, float]:
-        """What the gyroscopic torque leaves, the same on both sides."""
-        left = sqrt(max(self.bound - (self.gyroscopic * v * v) ** 2, 0.0)) / self.linear
-        return left, left
 
 
 def drop_implied(rows: Sequence[Row]) -> tuple[Row, ...]:

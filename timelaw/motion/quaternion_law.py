@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike
 
 from timelaw.easing.easing import Side, locate
 from timelaw.limits import Bounds, make_limits
+from timelaw.limits.body import RigidBody
 from timelaw.motion.segment import MAX_ORDER, Quantity, Segment
 from timelaw.numerics.array import Array
 from timelaw.numerics.quaternion import rotation_matrix
@@ -17,15 +18,15 @@ from timelaw.numerics.quaternion import rotation_matrix
 class QuaternionLaw:
     """Segments that follow each other from t = 0.
 
-    `limits` are the bounds the law is made for, in SI, `inertia` J (3, 3) [kg·m²] where they need
-    it, `continuity` k the class C^k that was asked for. `before` and `after` are the rates (3,) by
+    `limits` are the bounds the law is made for, in SI, the `body` is there where they need it,
+    `continuity` k is the class C^k that was asked for. `before` and `after` are the rates (3,) by
     order with which the motion is entered and left; an order that is not there is zero.
     """
 
     name: str
     segments: tuple[Segment, ...]
     limits: Mapping[str, Bounds]
-    inertia: Array | None = None
+    body: RigidBody | None = None
     continuity: int = 0
     before: Mapping[int, Array] = field(default_factory=dict)
     after: Mapping[int, Array] = field(default_factory=dict)
@@ -81,5 +82,5 @@ class QuaternionLaw:
     def quantities(self, segment: Segment) -> Iterator[tuple[Quantity, str]]:
         """What is limited on a segment; with the segment's name where the limit is of that segment alone."""
         for limits, own in ((self.limits, ""), (segment.limits, segment.name)):
-            for quantity in segment.quantities(make_limits(limits, self.inertia)):
+            for quantity in segment.quantities(make_limits(limits, self.body)):
                 yield quantity, own

@@ -34,7 +34,9 @@ class Polynomial:
         """Largest control point, a bound on |p|."""
         return float(np.max(np.abs(self.control)))
 
-    def __add__(self, other: "Polynomial") -> "Polynomial":
+    def __add__(self, other: "Polynomial | float") -> "Polynomial":
+        if not isinstance(other, Polynomial):
+            other = Polynomial(np.array([float(other)]))
         degree = max(self.degree, other.degree)
         raised = sum(4 * degree * UNIT_ROUNDOFF * p.size for p in (self, other) if p.degree < degree)
         control = elevate(self.control, degree) + elevate(other.control, degree)
@@ -54,6 +56,7 @@ class Polynomial:
         carried = self.error * other.size + other.error * self.size + self.error * other.error
         return Polynomial(control, rounding + carried)
 
+    __radd__ = __add__
     __rmul__ = __mul__
 
     @classmethod

@@ -1,13 +1,15 @@
 """The part of a problem file about the body: its inertia."""
 
-from typing import Annotated, Any
+from typing import Annotated, Any, Self
 
 import numpy as np
-from pydantic import BeforeValidator
+from pydantic import BeforeValidator, model_validator
 
+from timelaw.limits.body import EXTERNAL, WHEELS, RigidBody
+from timelaw.limits.torque import ACTUATORS
 from timelaw.numerics.array import Array
-from timelaw.problem.fields import Model, fault, read_quantity
-from timelaw.units import INERTIA, MOST
+from timelaw.problem.fields import Model, fault, one_of, read_quantity
+from timelaw.units import INERTIA, MOMENTUM, MOST
 
 SYMMETRY_TOLERANCE = 1e-9  # of the largest moment: the two halves of a matrix are typed alike
 Rows = tuple[tuple[float, float, float], ...]
@@ -42,7 +44,30 @@ def _possible(matrix: Array) -> Rows:
     return tuple((float(a), float(b), float(c)) for a, b, c in (matrix + matrix.T) / 2)
 
 
+def _momentum(value: Any) -> Any:
+    """Three components."""
+    if not isinstance(value, list) or len(value) != 3:
+        raise fault("three components in body axes are needed, as in [0 N*m*s, 0 N*m*s, 0.2 N*m*s]")
+    return tuple(0.0 if v == 0 else read_quantity(v, MOMENTUM, -MOST) for v in value)
+
+
 class Body(Model):
-    """The rigid body: its inertia J in body axes [kg·m²], three principal moments or three rows."""
+    """The rigid body: its inertia J in body axes [kg·m²], three principal moments or three rows.
+
+    `actuator: wheels` means that reaction wheels turn it: J is then without the wheels' inertia about
+    their axes, and `momentum` the total H of body and wheels in body axes at t = 0.
+    """
 
     inertia: Annotated[Rows, BeforeValidator(_inertia)]
+    actuator: Annotated[str, one_of(ACTUATORS)] = EXTERNAL
+    momentum: Annotated[tuple[float, float, float], BeforeValidator(_momentum)] = (0.0, 0.0, 0.0)
+
+    @model_validator(mode="after")
+    def _momentum_is_the_wheels(self) -> Self:
+        if "momentum" in self.model_fields_set and self.actuator != WHEELS:
+            raise fault(f'it belongs to "actuator: {WHEELS}"', "momentum")
+        return self
+
+    def rigid_body(self) -> RigidBody:
+        """As limits need it."""
+        return RigidBody(np.array(self.inertia), self.actuator, np.array(self.momentum))

@@ -2,12 +2,12 @@
 
 from typing import Annotated, Literal, Self
 
-import numpy as np
 from pydantic import BeforeValidator, Field, model_validator
 
 from timelaw.easing.registry import BASES, MAX_DEGREE, BasisKind
 from timelaw.limits import LIMITS
-from timelaw.numerics.array import Array
+from timelaw.limits.body import RigidBody
+from timelaw.limits.momentum import find_contradiction
 from timelaw.objectives import OBJECTIVES
 from timelaw.problem.body import Body
 from timelaw.problem.fields import Model, as_tuple, fault, one_of, percentage, quantity
@@ -131,6 +131,9 @@ class Problem(Model):
             for name in limits.given():
                 if LIMITS[name].needs_inertia and self.body is None:
                     raise fault(f'a limit on the {name} needs "body: {{inertia: …}}"', *where, name)
+                reason = find_contradiction(name, limits.given()[name], self.rigid_body())
+                if reason:
+                    raise fault(reason, *where, name)
                 least = LIMITS[name].continuity
                 if self.nodes.continuity < least:
                     given = self.nodes.continuity
@@ -142,8 +145,11 @@ class Problem(Model):
         minimise = self.objective.minimise
         if OBJECTIVES[minimise].needs_inertia and self.body is None:
             raise fault(f'to minimise {minimise}, "body: {{inertia: …}}" is needed', "objective", "minimise")
+        if OBJECTIVES[minimise].needs_inertia and any(self.body.momentum if self.body else ()):
+            message = f"to minimise {minimise}, a total momentum of zero is needed: H turns against the body"
+            raise fault(f"{message}; minimise energy instead", "objective", "minimise")
         return self
 
-    def inertia(self) -> Array | None:
-        """J (3, 3) [kg·m²] in body axes, if given."""
-        return np.array(self.body.inertia) if self.body else None
+    def rigid_body(self) -> RigidBody | None:
+        """The body, if given."""
+        return self.body.rigid_body() if self.body else None

@@ -96,9 +96,10 @@ def _run_row(count: int, demands: Sequence[Demand], least: float, solution: Solu
 
 def measure_efforts(design: Design) -> dict[str, float]:
     """∫ of each effort over the optimised law, those that need the inertia only where it is known."""
-    known = design.requirements.inertia is not None
+    demands = design.requirements.demands
+    known = all(demand.torque is not None for demand in demands)
     return {
-        name: EFFORTS[name].measure(design.requirements.demands, design.solution.timings)
+        name: EFFORTS[name].measure(demands, design.solution.timings)
         for name in sorted(EFFORTS)
         if known or not EFFORTS[name].needs_inertia
     }

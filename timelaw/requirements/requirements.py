@@ -5,8 +5,8 @@ from dataclasses import dataclass, replace
 
 from timelaw.errors import Fault, InputError, list_some
 from timelaw.limits import Bounds, Demand, drop_implied, list_rows, make_limits
+from timelaw.limits.body import RigidBody
 from timelaw.limits.torque import square_torque
-from timelaw.numerics.array import Array
 from timelaw.problem import Problem
 from timelaw.problem.nodes import NodeRule, SegmentRule
 from timelaw.problem.route import SEARCHED
@@ -30,7 +30,7 @@ class Requirements:
     end: tuple[float, ...]
     limits: Mapping[str, Bounds]
     leg_limits: Mapping[int, Mapping[str, Bounds]]
-    inertia: Array | None
+    body: RigidBody | None
 
     @property
     def dwell_time(self) -> float:
@@ -58,19 +58,19 @@ def resolve_requirements(problem: Problem, route: Route) -> Requirements:
     Raises:
         InputError: a label or leg that the tour does not have.
     """
-    given, inertia = problem.limits.given(), problem.inertia()
+    given, body = problem.limits.given(), problem.rigid_body()
     rules, legs = _node_rules(problem, route), _leg_rules(problem, route)
     own = _leg_limits(route, rules, legs)
-    base = make_limits(given, inertia)
+    base = make_limits(given, body)
     demands = []
     for index, leg in enumerate(route.legs):
         rule = legs.get(index)
-        extra = make_limits(own.get(index, {}), inertia)
+        extra = make_limits(own.get(index, {}), body)
         rows = drop_implied((*list_rows(base, leg.axis), *list_rows(extra, leg.axis)))
         if not rows:
             message = f"no limit bounds the motion of leg {leg.name}; add a norm limit"
             raise InputError(Fault(message, "limits"))
-        torque = square_torque(inertia, leg.axis) if inertia is not None else None
+        torque = square_torque(body, leg.axis) if body is not None else None
         demands.append(Demand(leg.angle, rows, rule.duration if rule else None, torque))
     dwells = _dwells(problem, route, rules)
     stops = {i for i, rule in rules.items() if rule.stop} | {i for i, d in enumerate(dwells) if d > 0}
@@ -84,7 +84,7 @@ def resolve_requirements(problem: Problem, route: Route) -> Requirements:
         problem.nodes.end.rates(problem.nodes.continuity) if problem.nodes.end else (),
         given,
         own,
-        inertia,
+        body,
     )
 
 

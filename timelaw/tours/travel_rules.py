@@ -24,15 +24,15 @@ def make_travel_times(problem: Problem, points: OrientationSet, progress: Progre
     dwells = {label: general if own.get(label) is None else own[label] or 0.0 for label in points.labels}
     stops = {label for label, rule in rules.items() if rule.stop}
     passable = [i for i, label in enumerate(points.labels) if not (label in stops or dwells[label] > 0)]
-    inertia = problem.inertia()
+    body = problem.rigid_body()
     slower = {
-        points.labels.index(label): make_limits(rule.limits.given(), inertia)
+        points.labels.index(label): make_limits(rule.limits.given(), body)
         for label, rule in rules.items()
         if rule.limits
     }
     return TravelTimes(
         points.quaternions,
-        make_limits(problem.limits.given(), inertia),
+        make_limits(problem.limits.given(), body),
         passable,
         progress,
         slower,

@@ -1,0 +1,46 @@
+"""Limits as formulas in the vectors ω, α, jerk and snap, whatever their components are.
+
+Components may be numbers, arrays over time, polynomials or exact fractions: whatever knows + and ×.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+Vector = Sequence[Any]  # three components in body axes
+Rates = Mapping[int, Vector]  # by order: 1 ω, 2 α, 3 jerk, 4 snap
+
+
+@dataclass(frozen=True)
+class Formula:
+    """|value| ≤ bound at every instant; `value` is the `root`-th power of what `label` names."""
+
+    label: str
+    value: Any
+    bound: float
+    root: int = 1
+
+
+def add(u: Vector, v: Vector) -> list[Any]:
+    """U + v."""
+    return [a + b for a, b in zip(u, v, strict=True)]
+
+
+def subtract(u: Vector, v: Vector) -> list[Any]:
+    """U - v."""
+    return [a + b * -1 for a, b in zip(u, v, strict=True)]
+
+
+def dot(u: Vector, v: Vector) -> Any:
+    """U · v."""
+    return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
+
+
+def cross(u: Vector, v: Vector) -> list[Any]:
+    """U × v."""
+    return [u[i] * v[j] + u[j] * v[i] * -1 for i, j in ((1, 2), (2, 0), (0, 1))]
+
+
+def apply(matrix: Sequence[Sequence[Any]], v: Vector) -> list[Any]:
+    """J v."""
+    return [v[0] * row[0] + v[1] * row[1] + v[2] * row[2] for row in matrix]
