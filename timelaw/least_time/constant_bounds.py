@@ -10,10 +10,10 @@ from timelaw.limits import Demand, Row
 SPEED_SHARES = [k / 64 for k in range(1, 65)]  # of the speed that torque allows: a percent or two apart
 
 
-def rate_bounds(rows: Sequence[Row]) -> tuple[float, float, float]:
-    """Bounds on φ', φ'' and φ''' from the rows of plain rates, inf for one that is not there."""
-    w, a, j = (min((row.rate_bound(k) for row in rows), default=inf) for k in (1, 2, 3))
-    return w, a, j
+def rate_bounds(rows: Sequence[Row]) -> tuple[float, float, float, float]:
+    """Bounds on the first four rates of the angle from the rows of plain rates, inf for none."""
+    w, a, j, s = (min((row.rate_bound(k) for row in rows), default=inf) for k in (1, 2, 3, 4))
+    return w, a, j, s
 
 
 def choose_bounds(demands: Sequence[Demand]) -> tuple[float, float, float]:
@@ -23,7 +23,7 @@ def choose_bounds(demands: Sequence[Demand]) -> tuple[float, float, float]:
     up to it, the pair that makes the profile shortest is taken.
     """
     rows = [row for demand in demands for row in demand.rows]
-    w, a, j = rate_bounds(rows)
+    w, a, j, _ = rate_bounds(rows)
     if not has_coupling(rows):
         return w, a, j
     angle = sum(demand.angle for demand in demands)

@@ -8,8 +8,8 @@ from math import inf
 import numpy as np
 
 from timelaw.errors import Fault, InputError
-from timelaw.least_time import double_s
 from timelaw.least_time.physical_limit import run_limit
+from timelaw.least_time.snap import snap_times
 from timelaw.limits import Demand, Limit, Row, drop_implied, list_rows
 from timelaw.numerics.array import Array
 from timelaw.numerics.quaternion import angle_between
@@ -88,10 +88,10 @@ class TravelTimes:
         return np.concatenate([angles / rates[0] for _, angles, rates in blocks])
 
     def _rows(self, rows: slice) -> tuple[Array, Array, list[Array]]:
-        """Times, angles and bounds on φ', φ'', φ''' of the legs from some of the orientations."""
+        """Times, angles and bounds on the rates of the angle, of the legs from some of the orientations."""
         q = self._quaternions
         axes, angles, _ = find_turn(q[rows][:, None, :], q[None, :, :])
-        bounds = [np.full(angles.shape, inf) for _ in range(3)]
+        bounds = [np.full(angles.shape, inf) for _ in range(4)]
         everywhere, first = slice(None), rows.start
         parts = [(limit, everywhere, everywhere) for limit in self._limits]
         for node, limits in self._at.items():
@@ -100,10 +100,9 @@ class TravelTimes:
                 parts += [(limit, slice(node - first, node - first + 1), everywhere) for limit in limits]
         for limit, these, those in parts:
             for order, found in limit.bound_rates(axes[these, those]).items():
-                if order <= len(bounds):
-                    bound = bounds[order - 1][these, those]
-                    np.minimum(bound, found, out=bound)
-        times = double_s.double_s_times(angles, *bounds)
+                bound = bounds[order - 1][these, those]
+                np.minimum(bound, found, out=bound)
+        times = snap_times(angles, (bounds[0], bounds[1], bounds[2], bounds[3]))
         return np.where(np.isfinite(times), times, 0.0), angles, bounds
 
     def _run(self, visits: tuple[int, ...]) -> float:
