@@ -9,10 +9,11 @@ from numpy.polynomial import polynomial as power
 
 from tests.cases import demand, demands, random_limits
 from tests.oracles import QUINTIC, QUINTIC_PEAKS, SEPTIC, SEPTIC_PEAKS, smoothstep_duration
-from timelaw.easing import Easing, Timing, smoothstep
+from timelaw.easing import Easing, Timing, smoothstep, time_scaling
 from timelaw.easing.double_s_easing import cut_double_s, fit_double_s
 from timelaw.easing.polynomial_basis import PolynomialBasis
 from timelaw.easing.time_scaling import fit_to_limits, used_fraction
+from timelaw.errors import InfeasibleError
 from timelaw.least_time.double_s import double_s_time, list_phases, ramp_times
 
 DEG = np.pi / 180
@@ -175,3 +176,24 @@ def test_the_stretch_is_exact_both_ways(factor):
     fitted = fit_to_limits(demanded, [timing])
     assert fitted[0].duration == pytest.approx(smoothstep_duration(QUINTIC_PEAKS, 2.0, (1, 2, 10)), rel=1e-11)
     assert used_fraction(demanded, fitted) <= 1
+
+
+def test_an_easing_leaves_its_callers_arrays_as_they_are():
+    breaks, piece = np.array([0.0, 1.0]), np.array([0.0, 0.2, 1.0])
+    easing = Easing(breaks, (piece,))
+    breaks[0], piece[1] = 5.0, 5.0
+    assert easing.breaks[0] == 0.0
+    assert easing.pieces[0][1] == 0.2
+    for array in (easing.breaks, *easing.pieces):
+        with pytest.raises(ValueError, match="read-only"):
+            array[0] = 1.0
+
+
+def test_time_that_cannot_be_stretched_to_the_limits_is_said(monkeypatch):
+    """A law whose numbers are not finite stays beyond its limits whatever the time; nothing is returned for it."""
+    broken = Timing(1.0, Easing.single([0.0, np.nan, 1.0]))
+    with pytest.raises(InfeasibleError, match="no stretch of time brings the law within its limits"):
+        fit_to_limits([demand(1.0, {"velocity": 1.0})], [broken])
+    monkeypatch.setattr(time_scaling, "used_fraction", lambda *_: 1.5)
+    with pytest.raises(InfeasibleError, match=r"1\.5 of them is used at the end"):
+        fit_to_limits([demand(1.0, {"velocity": 1.0})], [Timing(1.0, Easing.single([0.0, 1.0]))])

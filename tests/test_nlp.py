@@ -226,3 +226,25 @@ def test_a_solver_that_fails_on_high_degrees_starts_from_a_simpler_easing(monkey
     solution = solve((120 * DEG,), ROBOT, 21)
     assert solution.status is Status.SIMPLER
     assert solution.duration == pytest.approx(expected, rel=1e-5)
+
+
+def test_no_solution_whose_gap_is_above_its_tolerance_is_called_optimal(monkeypatch):
+    """One round leaves excess between its points; the stretch restores the limits, and the status says what is left."""
+    monkeypatch.setattr(exchange_module, "ROUNDS", 1)
+    solution = solve((120 * DEG,), ROBOT, 13)
+    assert solution.gap > exchange_module.GAP
+    assert solution.status is Status.GAP_LEFT
+    assert used_fraction(demands((120 * DEG,), ROBOT), solution.timings) <= 1
+    monkeypatch.undo()
+    optimum = solve((120 * DEG,), ROBOT, 13)
+    assert optimum.status is Status.OPTIMAL
+    assert optimum.gap <= exchange_module.GAP
+    assert optimum.duration <= solution.duration <= optimum.duration * (1 + 2 * solution.gap)
+
+
+def test_a_run_that_is_entered_moving_is_measured_by_its_own_limit():
+    """Half a rad entered at speed: from rest it would take longer, and no law may seem to beat its limit."""
+    problem = RunProblem(demands((0.5,), ROBOT), PolynomialFamily(9, 2), start=(0.9,))
+    solution = solve_run(problem)
+    assert solution.duration >= problem.run.limit
+    assert problem.run.limit < RunProblem(demands((0.5,), ROBOT), PolynomialFamily(9, 2)).run.limit

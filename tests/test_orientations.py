@@ -11,6 +11,7 @@ from tests.cases import problem
 from timelaw.errors import InputError
 from timelaw.orientations import read_orientations
 from timelaw.orientations.lattices import LATTICES, make_lattice
+from timelaw.orientations.orientation_set import OrientationSet
 from timelaw.orientations.table import read_table
 
 PAPER = """1 0 0 0 / 0 1 0 0 / 0 0 1 0 / 0 0 0 1 / .5 .5 .5 .5 / .5 -.5 .5 .5 / .5 .5 -.5 .5 / .5 .5 .5 -.5
@@ -141,3 +142,11 @@ def test_malformed_tables(tmp_path, text, message):
 def test_a_missing_table(tmp_path):
     with pytest.raises(InputError, match=r"scan\.csv: cannot be read: No such file or directory"):
         read_table(tmp_path / "scan.csv")
+
+
+def test_a_set_leaves_its_callers_array_as_it_is():
+    mine = np.eye(4)
+    points = OrientationSet(mine, tuple("abcd"), "list")
+    mine[0] = 7.0
+    assert points.quaternions[0, 0] == 1.0
+    assert not points.quaternions.flags.writeable

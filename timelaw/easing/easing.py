@@ -6,7 +6,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from timelaw.numerics.array import Array
+from timelaw.numerics.array import Array, freeze
 from timelaw.numerics.bernstein import bound_rounding, differentiate, evaluate
 from timelaw.numerics.polynomial import Polynomial
 
@@ -17,15 +17,15 @@ Side = Literal["left", "right"]
 class Easing:
     """s = f(τ): on [breaks[i], breaks[i+1]] the polynomial with control points `pieces[i]`.
 
-    `breaks` (p+1,) ascend from 0 to 1; the pieces may differ in degree.
+    `breaks` (p+1,) ascend from 0 to 1; the pieces may differ in degree. Both are copied, and read-only.
     """
 
     breaks: Array
     pieces: tuple[Array, ...]
 
     def __post_init__(self) -> None:
-        for array in (self.breaks, *self.pieces):
-            array.setflags(write=False)
+        object.__setattr__(self, "breaks", freeze(self.breaks))
+        object.__setattr__(self, "pieces", tuple(freeze(piece) for piece in self.pieces))
 
     def key(self) -> tuple[bytes, ...]:
         """Equal for easings that are equal in every break and piece."""

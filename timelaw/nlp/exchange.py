@@ -13,6 +13,7 @@ import numpy as np
 
 from timelaw.easing import Timing
 from timelaw.easing.time_scaling import fit_to_limits, used_fraction
+from timelaw.errors import InfeasibleError
 from timelaw.nlp.extrema_search import add_extrema
 from timelaw.nlp.ipopt import Outcome, solve
 from timelaw.nlp.program import Program
@@ -27,7 +28,10 @@ INSIDE = 1.01  # a start on the limits themselves costs an interior-point method
 
 
 def solve_from(program: Program, start: Sequence[Timing]) -> Solution | None:
-    """Solve a program from given timings; None where the solver fails before it has any solution."""
+    """Solve a program from given timings; None where the solver fails before it has any solution.
+
+    A law that no stretch of time brings within the limits counts as a failure of the solver.
+    """
     units = np.array([timing.duration for timing in start])
     points: Points = [
         [basis.points(row.orders) for row in demand.rows]
@@ -44,12 +48,17 @@ def solve_from(program: Program, start: Sequence[Timing]) -> Solution | None:
         if not outcome.acceptable or not np.all(np.isfinite(outcome.x)):
             return best if best is None else replace(best, status=Status.ACCEPTABLE, iterations=iterations)
         found = transcription.timings(outcome.x)
-        timings, gap = _closed(program, found, outcome)
+        try:
+            timings, gap = _closed(program, found, outcome)
+        except InfeasibleError:
+            return best if best is None else replace(best, status=Status.ACCEPTABLE, iterations=iterations)
         status = Status.OPTIMAL if outcome.solved else Status.ACCEPTABLE
         solution = Solution(timings, status, iterations, rounds, gap, transcription.rows)
         best = _better(program, best, solution)
         if gap <= GAP or not add_extrema(points, program, found, _used(program, outcome)):
             break
+    if best is not None and best.status is Status.OPTIMAL and best.gap > GAP:
+        return replace(best, status=Status.GAP_LEFT)
     return best
 
 

@@ -15,9 +15,9 @@ class Status(Enum):
     PHYSICAL_LIMIT = "the double-S profile, which the easing contains and no law beats"
     SECOND_START = "solved to optimality from the second start"
     SIMPLER = "solved from the solution of a simpler easing, after other starts failed"
-    ROUNDS = (
-        "the rounds ran out before the last excess over the limits was small: the law holds its limits, but "
-        "may be slower than need be by as much as the gap says; try another easing"
+    GAP_LEFT = (
+        "the rounds ended before what the limits still cost was small: the law holds its limits, but may be "
+        "from the optimum by as much as its gap; try another easing"
     )
     STRETCHED = (
         "the solver failed on the objective: the least-time law, stretched to the given times, is used; "

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from timelaw.errors import Fault, InputError, list_some
-from timelaw.numerics.array import Array
+from timelaw.numerics.array import Array, freeze
 from timelaw.numerics.quaternion import multiply
 from timelaw.orientations.angle_files import READERS, read_angles
 from timelaw.orientations.equivalence import find_firsts, make_rotation_group
@@ -20,7 +20,7 @@ from timelaw.problem.route import Orientations
 
 @dataclass(frozen=True)
 class OrientationSet:
-    """Unit quaternions (N, 4), read-only, with one label each.
+    """Unit quaternions (N, 4), copied and read-only, with one label each.
 
     `lattice` names the polytope whose vertices they are, turned or not, if any.
     `same` pairs labels of orientations that are one up to sign; `notes` say what was left out or merged.
@@ -34,7 +34,7 @@ class OrientationSet:
     notes: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
-        self.quaternions.setflags(write=False)
+        object.__setattr__(self, "quaternions", freeze(self.quaternions))
 
     def __len__(self) -> int:
         return len(self.labels)
