@@ -10,13 +10,14 @@ from timelaw.easing.family import PolynomialFamily
 from timelaw.easing.smoothstep import control_points
 from timelaw.easing.time_scaling import used_fraction
 from timelaw.errors import InfeasibleError
-from timelaw.nlp import Budget, Program, RunProblem, Status
+from timelaw.nlp import Program, RunProblem, Status
 from timelaw.nlp.all_runs import Deadline, solve_together
 from timelaw.nlp.single_runs import solve_runs
 from timelaw.nlp.solution import sum_durations
 from timelaw.numerics.bernstein import elevate
 from timelaw.objectives import EFFORTS
 from timelaw.problem.objective import Goal, TotalTime
+from timelaw.requirements.given_times import Budget
 
 ROBOT = {"velocity": 1.0, "acceleration": 2.0, "jerk": 10.0}
 INERTIA = np.diag([12.0, 10.0, 8.0])

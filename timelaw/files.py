@@ -39,6 +39,11 @@ def read_text(path: Path, most: int = MAX_BYTES) -> str:
         raise InputError(Fault("is not a UTF-8 text", "", str(path))) from None
 
 
+def write_file(path: Path, content: str | bytes) -> None:
+    """Replace `path` by a text or by bytes."""
+    write_bytes(path, content) if isinstance(content, bytes) else write_text(path, content)
+
+
 def write_text(path: Path, text: str) -> None:
     """Replace `path` by `text` (UTF-8, lines as they are) in one step; see `write_bytes`."""
     write_bytes(path, text.encode("utf-8", errors="replace"))

@@ -8,10 +8,12 @@ from timelaw.compose import compose_law
 from timelaw.easing.family import Family
 from timelaw.motion import QuaternionLaw
 from timelaw.nlp import Timings, optimise
+from timelaw.nlp.solution import sum_durations
 from timelaw.orientations import OrientationSet, read_orientations
 from timelaw.problem import Problem, Source, load_problem
 from timelaw.progress import Progress
 from timelaw.requirements import Requirements, resolve_requirements
+from timelaw.requirements.given_times import list_budgets
 from timelaw.route import Route, lay_route
 from timelaw.time_law import BASELINES, TimeLaw
 from timelaw.tours import Tour, find_tour
@@ -72,10 +74,12 @@ def design_problem(path: Path, problem: Problem, source: Source, progress: Progr
         family, solution = optimise(problem, layout.route, layout.requirements, progress)
     time_law = TimeLaw("optimised", solution.timings, layout.requirements.dwells)
     optimised = certify_time_law(layout, time_law, problem.nodes.continuity)
+    given = problem.objective.total_time is not None
+    budgets = list_budgets(layout.requirements, sum_durations(solution.timings) if given else None)
     baselines = [
         certify_time_law(layout, baseline)
         for name in problem.baselines
-        for baseline in BASELINES[name](layout.route, layout.requirements)
+        for baseline in BASELINES[name](layout.route, layout.requirements, budgets)
     ]
     return Design(
         **vars(layout), family=family, solution=solution, optimised=optimised, baselines=tuple(baselines)

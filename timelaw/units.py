@@ -98,3 +98,13 @@ def _parse_unit(text: str) -> tuple[float, Dimension]:
         scale *= float(size) ** power
         dimension = [d + power * b for d, b in zip(dimension, base, strict=True)]
     return scale, (dimension[0], dimension[1], dimension[2], dimension[3])
+
+
+def convert(value: float, unit: str, *, degrees: bool) -> float:
+    """A value in SI, or with its angles in degrees."""
+    return value * (180 / math.pi) if degrees and "rad" in unit else value
+
+
+def name_unit(unit: str, *, degrees: bool) -> str:
+    """The unit of `convert`."""
+    return unit.replace("rad", "deg") if degrees else unit

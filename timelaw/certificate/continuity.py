@@ -34,6 +34,11 @@ class NodeReport:
     jump: Mapping[str, float]
     continuity: int
 
+    @property
+    def passed(self) -> bool:
+        """Whether the body goes straight on there at speed."""
+        return self.kind == "straight" and bool(np.any(self.before["omega"]))
+
     def to_dict(self) -> dict[str, Any]:
         """As the law file has it."""
         return {

@@ -89,7 +89,8 @@ def _run(arguments: list[str]) -> int:
     except click.UsageError as error:
         place = error.ctx.command_path if error.ctx else "timelaw"
         message = f"{error.format_message()} Try '{place} --help'."
-        return _failed(arguments, TimelawError(Fault(message, place)), EXIT_BAD_INPUT)
+        where = place.removeprefix("timelaw").strip()  # the name of the program comes before every message
+        return _failed(arguments, TimelawError(Fault(message, where)), EXIT_BAD_INPUT)
     except click.ClickException as error:
         return _failed(arguments, TimelawError(error.format_message()), EXIT_BAD_INPUT)
     except (click.Abort, KeyboardInterrupt):

@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, Any
 
 from timelaw.errors import TimelawError
 from timelaw.progress import Progress
+from timelaw.units import convert, name_unit
 
 if TYPE_CHECKING:
     from timelaw.certificate import Certificate
 
-UNBOUNDED = 1000  # characters where no terminal sets the width, and more for many columns
-CELL = 12
+UNBOUNDED = 100_000  # characters; no table of ours is wider
 
 
 def print_json(data: dict[str, Any]) -> None:
@@ -61,19 +61,22 @@ def print_table(headings: list[str], rows: list[list[str]]) -> None:
         table.add_column(Text(heading), justify="right" if index else "left", no_wrap=True)
     for row in rows:
         table.add_row(*map(Text, row))  # labels may hold what markup looks like
-    width = None if sys.stderr.isatty() else max(UNBOUNDED, CELL * len(headings))
-    Console(stderr=True, highlight=False, width=width).print(table)
+    # as wide as it is: a terminal folds what is too long for it, and nothing is cut
+    console = Console(stderr=True, highlight=False)
+    widest = console.measure(table, options=console.options.update(max_width=UNBOUNDED)).maximum
+    Console(stderr=True, highlight=False, width=max(widest, console.width)).print(table)
 
 
-def print_limits(certificate: "Certificate") -> None:
-    """The proved peaks of a law against its limits, on stderr."""
+def print_limits(certificate: "Certificate", *, degrees: bool = False) -> None:
+    """The proved peaks of a law against its limits, on stderr, angles in degrees or radians."""
     print_table(
-        ["limit", "bound", "proved peak", "at t [s]", "on leg", "margin", "holds"],
+        ["limit", "unit", "bound", "proved peak", "at t [s]", "on leg", "margin", "holds"],
         [
             [
                 c.limit,
-                f"{c.bound:.6g} {c.unit}",
-                f"{c.upper:.6g}",
+                name_unit(c.unit, degrees=degrees),
+                f"{convert(c.bound, c.unit, degrees=degrees):.6g}",
+                f"{convert(c.upper, c.unit, degrees=degrees):.6g}",
                 f"{c.time:.4f}",
                 c.segment,
                 f"{c.margin:.1e}",

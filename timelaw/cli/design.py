@@ -1,15 +1,18 @@
 """`timelaw design`: design, write the files, say how it went."""
 
 import hashlib
+from math import isfinite
 from pathlib import Path
 from typing import Any
 
 from timelaw.cli.console import print_json, print_limits, print_table, say, show_progress
 from timelaw.errors import EXIT_DONE, EXIT_FINDINGS
-from timelaw.export import format_law, format_samples
-from timelaw.files import write_text
+from timelaw.export import format_law
+from timelaw.export.exporter import EXPORTERS
+from timelaw.files import write_file
 from timelaw.pipeline import Design, design
 from timelaw.report import LawRow, list_law_rows, render_report
+from timelaw.report.outcome import describe_outcome, measure_gain
 
 RESULTS = Path("results")
 
@@ -22,8 +25,8 @@ def run(problem: str, output: str | None, *, as_json: bool) -> int:
         folder = Path(output) if output is not None else RESULTS / done.problem.name
         with done.source.placed():
             files = _files(done, path)
-        for name, text in files.items():
-            write_text(folder / name, text)
+        for name, content in files.items():
+            write_file(folder / name, content)
     rows = list_law_rows(done)
     certificate = done.optimised.certificate
     _print(done, rows, folder)
@@ -36,6 +39,7 @@ def run(problem: str, output: str | None, *, as_json: bool) -> int:
                 "name": done.problem.name,
                 "files": [str(folder / name) for name in files],
                 "laws": [row.to_dict() for row in rows],
+                **_objective(done),
                 "certificate": certificate.to_dict(),
                 "findings": certificate.findings(),
             }
@@ -43,8 +47,18 @@ def run(problem: str, output: str | None, *, as_json: bool) -> int:
     return code
 
 
-def _files(done: Design, path: Path) -> dict[str, str]:
-    """Texts by file name; the law file comes first."""
+def _objective(done: Design) -> dict[str, Any]:
+    """What was gained where something else than time is made least."""
+    gain = measure_gain(done)
+    if gain is None:
+        return {}
+    reference = gain.reference if isfinite(gain.reference) else None
+    found = {"value": gain.value, "unit": gain.objective.unit, "quintic_at_equal_times": reference}
+    return {"objective": {"minimise": gain.objective.name, **found, "gained": gain.part}}
+
+
+def _files(done: Design, path: Path) -> dict[str, str | bytes]:
+    """Contents by file name; the law file comes first."""
     digest = "sha256:" + hashlib.sha256(done.source.text.encode("utf-8", "replace")).hexdigest()
     provenance: dict[str, Any] = {
         "problem": path.name,
@@ -54,10 +68,10 @@ def _files(done: Design, path: Path) -> dict[str, str]:
             for s in done.solution.solutions
         ],
     }
-    law = done.optimised.law
+    law, samples = done.optimised.law, EXPORTERS["csv"]
     return {
         "law.json": format_law(law, done.optimised.certificate, provenance),
-        "samples.csv": format_samples(law, done.problem.output.rate),
+        samples.file_name: samples.write(law, done.problem.output.rate),
         **render_report(done, digest),
     }
 
@@ -77,9 +91,11 @@ def _print(done: Design, rows: list[LawRow], folder: Path) -> None:
             for row in rows
         ],
     )
-    print_limits(done.optimised.certificate)
+    print_limits(done.optimised.certificate, degrees=done.source.speaks_degrees)
     for finding in done.optimised.certificate.findings():
         say(f"finding: {finding}")
+    for sentence in describe_outcome(done):
+        say(sentence)
     for status in sorted({s.status.value for s in done.solution.solutions}):
         say(f"{done.family.label}: {status}")
     verdict = "certified: all limits hold for all t" if rows[0].holds else "NOT certified"

@@ -1,6 +1,7 @@
 """`timelaw sweep`: a problem designed over varied keys; a table, a CSV file and the picture of the front."""
 
 from collections import defaultdict
+from math import inf, isfinite
 from pathlib import Path
 
 from timelaw.cli.console import print_json, print_table, say, show_progress
@@ -29,7 +30,7 @@ def run(path: str, output: str | None, processes: int | None, *, as_json: bool) 
     code = _code(outcomes)
     _print(outcomes, folder)
     if as_json:
-        rows = [dict(outcome.__dict__) for outcome in outcomes]
+        rows = [outcome.to_dict() for outcome in outcomes]
         written = [str(folder / name) for name in files]
         print_json(
             {
@@ -56,7 +57,7 @@ def _groups(study: Study, outcomes: list[Outcome]) -> dict[str, list[tuple[float
     last = list(study.vary)[-1]
     groups: dict[str, list[tuple[float, float]]] = defaultdict(list)
     for outcome in outcomes:
-        if outcome.duration is not None and study.effort in outcome.efforts:
+        if outcome.duration is not None and isfinite(outcome.efforts.get(study.effort, inf)):
             varied = [key for key in study.vary if key != last and len(study.vary[key]) > 1]
             label = ", ".join(f"{key} = {outcome.point[key]}" for key in varied)
             groups[label].append((outcome.duration, outcome.efforts[study.effort]))

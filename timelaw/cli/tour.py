@@ -61,6 +61,7 @@ def _summary(layout: Layout) -> dict[str, Any]:
         "length": float(np.degrees(layout.tour.length)),
         "total_turning": float(np.degrees(sum(n.turn for n in inner))),
         "straight_nodes": route.straight_nodes,
+        "passed_nodes": len(route.legs) - len(requirements.runs(route)),
         "runs": [len(run.angles) for run in requirements.runs(route)],
         "is_shortest": layout.tour.is_shortest,
         "certificate": "; ".join(describe_merits(layout.tour)),
@@ -86,9 +87,11 @@ def _print(layout: Layout, found: dict[str, Any]) -> None:
     print_table(["leg", "angle [deg]", "axis (body)", "then", "axis turns [deg]"], rows)
     for line in (*found["notes"], *describe_merits(layout.tour)):
         say(line)
+    passed = found["passed_nodes"]
+    stopped = "" if passed == found["straight_nodes"] else f", {passed} of them without a stop"
     if not any(merit.name == STRAIGHT for merit in layout.tour.merits):
         say(
-            f"{found['straight_nodes']} of {len(nodes) - 2} inner nodes go straight on; "
+            f"{found['straight_nodes']} of {len(nodes) - 2} inner nodes go straight on{stopped}; "
             f"the axis turns by {found['total_turning']:.2f}° in all"
         )
     say(

@@ -48,6 +48,11 @@ class Family(Protocol):
         ...
 
     @property
+    def inside(self) -> int:
+        """The class C^k of its easings inside a leg, at most 4."""
+        ...
+
+    @property
     def rigid(self) -> bool:
         """Whether the closed form is all there is: nothing is left to choose."""
         ...
@@ -63,6 +68,7 @@ class PolynomialFamily:
 
     degree: int
     continuity: int
+    inside: ClassVar[int] = 4
     rigid: ClassVar[bool] = False
 
     @property
@@ -95,6 +101,11 @@ class SplineFamily:
     intervals: int
     continuity: int
     rigid: ClassVar[bool] = False
+
+    @property
+    def inside(self) -> int:
+        """Splines are as smooth at their breaks as their degree allows."""
+        return min(self.degree - 1, 4)
 
     @property
     def label(self) -> str:
@@ -142,6 +153,7 @@ class DoubleSFamily:
     """The double-S profile itself: nothing is left to choose."""
 
     continuity: int
+    inside: ClassVar[int] = 2
     rigid: ClassVar[bool] = True
 
     @property

@@ -112,3 +112,7 @@ ACTUATORS: dict[str, Callable[[str, Bounds, RigidBody], Limit]] = {
     EXTERNAL: ExternalTorque,
     WHEELS: WheelTorque,
 }
+TORQUE_FORMULAS = {
+    EXTERNAL: "Torque from outside: τ = Jα + ω×Jω; momentum: Jω.",
+    WHEELS: "Torque of reaction wheels: τ = Jα + ω×H, H the total angular momentum; stored momentum: H − Jω.",
+}

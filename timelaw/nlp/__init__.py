@@ -1,7 +1,7 @@
 """The nonlinear program: durations and easing coefficients of each run under the limits."""
 
 from timelaw.nlp.optimiser import optimise
-from timelaw.nlp.program import Budget, Program, RunProblem
+from timelaw.nlp.program import Program, RunProblem
 from timelaw.nlp.solution import Solution, Status, Timings
 
-__all__ = ["Budget", "Program", "RunProblem", "Solution", "Status", "Timings", "optimise"]
+__all__ = ["Program", "RunProblem", "Solution", "Status", "Timings", "optimise"]

@@ -7,11 +7,12 @@ from itertools import accumulate
 from timelaw.easing import Timing
 from timelaw.easing.time_scaling import used_fraction
 from timelaw.errors import Fault, InfeasibleError
-from timelaw.nlp.program import LEAST_PEAK, Budget, Program, RunProblem
+from timelaw.nlp.program import LEAST_PEAK, Program, RunProblem
 from timelaw.nlp.solution import Solution, Status, sum_durations
 from timelaw.objectives import OBJECTIVES
 from timelaw.problem.objective import Goal
 from timelaw.requirements import Requirements
+from timelaw.requirements.given_times import Budget, list_budgets, meet_budgets
 from timelaw.route import Route
 
 LEAST_FACTOR = 0.2  # of the least-time law; a start far beyond the limits helps nobody
@@ -34,10 +35,10 @@ def list_deadlines(route: Route, requirements: Requirements, goal: Goal, least: 
     `least` is the least total time, dwells included.
     """
     found = []
-    for node, time in sorted(requirements.arrivals.items()):
-        waited, label = sum(requirements.dwells[:node]), route.nodes[node].label
+    for budget in list_budgets(requirements):
+        waited, label = sum(requirements.dwells[: budget.legs]), route.nodes[budget.legs].label
         where, what = f"nodes.at.{label}.time", f"arrival at {label}"
-        found.append(Deadline(Budget(node, time - waited), where, what, waited))
+        found.append(Deadline(budget, where, what, waited))
     if goal.total_time is not None:
         time = goal.total_time.seconds(least)
         budget = Budget(len(route.legs), time - requirements.dwell_time)
@@ -130,13 +131,4 @@ def _too_early(deadline: Deadline, earliest: float) -> Fault:
 def _on_time(runs: Sequence[RunProblem], solution: Solution, budgets: Sequence[Budget]) -> Solution:
     """Times met to the last digit, which the solver meets to its tolerance, by legs that may be stretched."""
     elastic = [run.elastic for run in runs for _ in run.demands]
-    timings: list[Timing] = []
-    passed = 0.0
-    for budget in budgets:
-        part = list(zip(solution.timings, elastic, strict=True))[len(timings) : budget.legs]
-        free = sum_durations([timing for timing, may in part if may])
-        rest = sum_durations([timing for timing, may in part if not may])
-        factor = (budget.time - passed - rest) / free if free else 1.0
-        timings += [timing.stretched(factor) if may else timing for timing, may in part]
-        passed = budget.time
-    return replace(solution, timings=(*timings, *solution.timings[len(timings) :]))
+    return replace(solution, timings=meet_budgets(solution.timings, elastic, budgets))

@@ -6,6 +6,7 @@ from functools import cached_property
 from timelaw.easing.family import Basis, Family
 from timelaw.limits import Demand
 from timelaw.objectives import OBJECTIVES, Objective
+from timelaw.requirements.given_times import Budget
 from timelaw.requirements.run_demand import RunDemand
 
 LEAST_TIME, LEAST_PEAK = OBJECTIVES["time"], OBJECTIVES["peak"]
@@ -41,14 +42,6 @@ class RunProblem:
     def key(self) -> tuple[object, ...]:
         """Equal for runs that have equal solutions."""
         return self.run.key()
-
-
-@dataclass(frozen=True)
-class Budget:
-    """The first `legs` legs of the program together take `time` [s]."""
-
-    legs: int
-    time: float
 
 
 @dataclass(frozen=True)

@@ -27,6 +27,7 @@ class Effort:
     """
 
     name: str
+    symbol: str
     unit: str
     orders: tuple[int, ...]
     integrand: Callable[[Demand, Mapping[int, Any]], Any]
@@ -74,10 +75,10 @@ def _torque(demand: Demand, rates: Mapping[int, Any]) -> Any:
 EFFORTS: dict[str, Effort] = {
     effort.name: effort
     for effort in (
-        Effort("jerk", "rad²/s⁵", (3,), lambda _, rates: rates[3] * rates[3]),
-        Effort("energy", "rad²/s³", (2,), lambda _, rates: rates[2] * rates[2]),
-        Effort("torque", "N²·m²·s", (1, 2), _torque, needs_inertia=True),
-        Effort("snap", "rad²/s⁷", (4,), lambda _, rates: rates[4] * rates[4]),
+        Effort("jerk", "∫|jerk|² dt", "rad²/s⁵", (3,), lambda _, rates: rates[3] * rates[3]),
+        Effort("energy", "∫|α|² dt", "rad²/s³", (2,), lambda _, rates: rates[2] * rates[2]),
+        Effort("torque", "∫|τ|² dt", "N²·m²·s", (1, 2), _torque, needs_inertia=True),
+        Effort("snap", "∫|snap|² dt", "rad²/s⁷", (4,), lambda _, rates: rates[4] * rates[4]),
     )
 }
 CALM = EFFORTS["jerk"]

@@ -46,15 +46,17 @@ class Terms(Protocol):
 class Objective(Protocol):
     """What is made least.
 
-    `unit` is that of its measure, `words` what people call it. `takes` are the keys of a problem file
-    that say in what time it is made least, or against which weight; without any, time is what is
-    made least. `continuity` is the least class C^k under which it is finite.
+    `symbol` is what is measured, in `unit`; `words` are what people call it. `takes` are the keys of a
+    problem file that say in what time it is made least, or against which weight; without any, time
+    is what is made least. `continuity` is the least class C^k under which it is finite.
     """
 
     @property
     def name(self) -> str: ...  # noqa: D102
     @property
     def words(self) -> str: ...  # noqa: D102
+    @property
+    def symbol(self) -> str: ...  # noqa: D102
     @property
     def unit(self) -> str: ...  # noqa: D102
     @property

@@ -16,7 +16,8 @@ class LeastPeak:
 
     name: ClassVar[str] = "peak"
     words: ClassVar[str] = "used part of the limits"
-    unit: ClassVar[str] = "1"
+    symbol: ClassVar[str] = "largest part of a limit that is used"
+    unit: ClassVar[str] = ""
     takes: ClassVar[tuple[str, ...]] = ("total_time",)
     continuity: ClassVar[int] = 1
     needs_inertia: ClassVar[bool] = False

@@ -18,6 +18,7 @@ class LeastTime:
 
     name: ClassVar[str] = "time"
     words: ClassVar[str] = "total time"
+    symbol: ClassVar[str] = "total time"
     unit: ClassVar[str] = "s"
     takes: ClassVar[tuple[str, ...]] = ()
     continuity: ClassVar[int] = 1

@@ -41,6 +41,12 @@ class Source:
         line, column = place or (1, 1)
         return Fault(message, write_path(where), self.path, line, column)
 
+    @property
+    def speaks_degrees(self) -> bool:
+        """Whether the limits are written in degrees, as they are unless radians alone are used."""
+        words = list(_texts(self.data.get("limits")))
+        return not any("rad" in word for word in words) or any("deg" in w or "°" in w for w in words)
+
     def with_values(self, values: Mapping[str, Any]) -> "Source":
         """The same document with other values at dotted keys, which may be new."""
         data = deepcopy(self.data)
@@ -66,6 +72,14 @@ class Source:
         if fault.path or not fault.where:
             return fault
         return self.fault(_path(fault.where), fault.message)
+
+
+def _texts(data: Any) -> Iterator[str]:
+    """All texts in plain data."""
+    if isinstance(data, str):
+        yield data
+    for part in data.values() if isinstance(data, dict) else data if isinstance(data, list) else ():
+        yield from _texts(part)
 
 
 def write_path(path: KeyPath) -> str:

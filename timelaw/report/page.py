@@ -11,6 +11,7 @@ from timelaw.pipeline import Design
 from timelaw.report.figures.registry import draw_figures
 from timelaw.report.section import Facts, Section
 from timelaw.report.sections import SECTIONS
+from timelaw.units import convert, name_unit
 
 
 def render_report(design: Design, digest: str) -> dict[str, str]:
@@ -58,9 +59,7 @@ def _environment() -> Environment:
 
 def _shown(value: float, unit: str) -> str:
     """A bound or peak with its unit, angles in degrees."""
-    if "rad" in unit:
-        return f"{np.degrees(value):.6g} {unit.replace('rad', 'deg')}"
-    return f"{value:.6g} {unit}"
+    return f"{convert(value, unit, degrees=True):.6g} {name_unit(unit, degrees=True)}"
 
 
 def _vector(components: Any, scale: float) -> str:

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import inf, isfinite
 from typing import Any
 
 from timelaw.certificate.effort import measure_effort
@@ -15,7 +16,10 @@ from timelaw.time_law.baselines import time_quintic
 
 @dataclass(frozen=True)
 class LawRow:
-    """One law beside the others: times in s, `peaks` as proved peak over limit."""
+    """One law beside the others: times in s, `peaks` as proved peak over limit.
+
+    `smoothness` is ∫|jerk|² dt, infinite where ω or α jumps.
+    """
 
     name: str
     duration: float
@@ -27,8 +31,8 @@ class LawRow:
     holds: bool
 
     def to_dict(self) -> dict[str, Any]:
-        """As `--json` prints it."""
-        return dict(self.__dict__)
+        """As `--json` prints it: null for what has no bound."""
+        return {**self.__dict__, "smoothness": self.smoothness if isfinite(self.smoothness) else None}
 
 
 @dataclass(frozen=True)
@@ -48,9 +52,15 @@ class RunRow:
 
 def list_law_rows(design: Design) -> list[LawRow]:
     """The optimised law first, then the baselines."""
-    slowest = time_quintic(design.requirements).duration
+    slowest = _time_slowest(design)
     least = limit_route(design.route, design.requirements)
     return [_row(entry, slowest, least) for entry in design.laws]
+
+
+def _time_slowest(design: Design) -> float:
+    """The quintic's time, as the baselines have it, or the least if it is none of them."""
+    known = next((b.law.duration for b in design.baselines if b.name == "quintic"), None)
+    return time_quintic(design.requirements).duration if known is None else known
 
 
 def _row(entry: Certified, slowest: float, least: float) -> LawRow:
@@ -95,11 +105,15 @@ def _run_row(count: int, demands: Sequence[Demand], least: float, solution: Solu
 
 
 def measure_efforts(design: Design) -> dict[str, float]:
-    """∫ of each effort over the optimised law, those that need the inertia only where it is known."""
-    demands = design.requirements.demands
+    """∫ of each effort over the optimised law, infinite where a rate below it jumps.
+
+    Those that need the inertia only where it is known.
+    """
+    demands, timings = design.requirements.demands, design.solution.timings
     known = all(demand.torque is not None for demand in demands)
+    smooth = design.optimised.certificate.continuity.order
     return {
-        name: EFFORTS[name].measure(demands, design.solution.timings)
+        name: EFFORTS[name].measure(demands, timings) if EFFORTS[name].continuity <= smooth else inf
         for name in sorted(EFFORTS)
         if known or not EFFORTS[name].needs_inertia
     }

@@ -28,6 +28,16 @@ def describe_merits(tour: Tour) -> list[str]:
     return [_sentence(tour, merit) for merit in tour.merits]
 
 
+def describe_order(tour: Tour) -> list[str]:
+    """What the report says of a tour: what it was searched for, and what is best in it whoever chose it.
+
+    An order that is given is a requirement: nothing is said of how long it is against others.
+    """
+    told = [_sentence(tour, merit) for merit in tour.merits if merit.asked or merit.is_best]
+    length = _quantity(tour.merits[0], tour.length)
+    return told or [f"the order of visits is the one given, {length} in all"]
+
+
 def list_merit_data(merit: Merit) -> dict[str, Any]:
     """A merit as plain data; angles in degrees; no gap where the bound says nothing."""
     scale = np.degrees(1.0) if merit.name in ANGLES else 1.0

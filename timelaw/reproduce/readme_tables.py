@@ -21,7 +21,7 @@ MARK = "reference results"
 HEADINGS = (
     "problem",
     "legs",
-    "straight nodes",
+    "nodes passed",
     "quintic [s]",
     "double-S, every stop [s]",
     "optimised [s]",
@@ -49,7 +49,7 @@ def _cells(design: Design) -> list[str]:
     return [
         design.problem.name,
         str(len(design.route.legs)),
-        str(design.route.straight_nodes),
+        str(len(design.route.legs) - len(design.requirements.runs(design.route))),
         f"{rows['quintic'].duration:.2f}",
         f"{stopping.duration:.2f}",
         f"**{best.duration:.2f}**",

@@ -14,11 +14,12 @@ import numpy as np
 
 from timelaw.easing.family import PolynomialFamily
 from timelaw.limits import Demand, drop_implied, list_rows, make_limits
-from timelaw.nlp import Budget, RunProblem
+from timelaw.nlp import RunProblem
 from timelaw.nlp.all_runs import Deadline, solve_together
 from timelaw.nlp.single_runs import solve_runs
 from timelaw.nlp.solution import sum_durations
 from timelaw.problem.objective import Goal, TotalTime
+from timelaw.requirements.given_times import Budget
 
 NODES = (30, 100, 300)
 DEGREES = (7, 9, 13, 21)

@@ -3,6 +3,7 @@
 import os
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from dataclasses import dataclass, field
+from math import isfinite
 from multiprocessing import get_context
 from typing import Any
 
@@ -28,6 +29,11 @@ class Outcome:
     peaks: dict[str, float] = field(default_factory=dict)
     easing: str = ""
     status: str = ""
+
+    def to_dict(self) -> dict[str, Any]:
+        """As `--json` prints it: null for an effort that has no bound."""
+        efforts = {name: value if isfinite(value) else None for name, value in self.efforts.items()}
+        return {**self.__dict__, "efforts": efforts}
 
 
 def run_study(study: Study, processes: int | None = None, progress: Progress | None = None) -> list[Outcome]:

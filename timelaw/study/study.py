@@ -16,7 +16,7 @@ from timelaw.files import read_text
 from timelaw.objectives import EFFORTS
 from timelaw.problem import Source
 from timelaw.problem.fields import Model, fault, one_of
-from timelaw.problem.load import translate
+from timelaw.problem.load import refuse_other_kinds, translate
 from timelaw.problem.source import read
 
 MOST_DESIGNS = 10_000
@@ -81,6 +81,7 @@ def read_study(path: Path) -> Study:
         InputError: either file is wrong.
     """
     source = read(read_text(path), str(path))
+    refuse_other_kinds(source, "timelaw-study")
     try:
         model = StudyModel.model_validate(source.data)
     except ValidationError as error:

@@ -1,18 +1,25 @@
-"""The laws every optimised law is measured by: the paper's quintic and the double-S profile."""
+"""The laws every optimised law is measured by: the paper's quintic and the double-S profile.
 
-from collections.abc import Callable
+The double-S (S-curve) is the seven-phase profile of constant jerk that is fastest from rest to rest.
+Where arrival times or the total time are given, baselines keep them too, whether or not their limits
+then hold: what is compared takes the same time.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 from timelaw.easing import Timing, smoothstep
 from timelaw.easing.double_s_easing import fit_double_s
 from timelaw.limits import Demand
 from timelaw.requirements import Requirements
+from timelaw.requirements.given_times import Budget, meet_budgets
 from timelaw.route import Route
 from timelaw.time_law.time_law import TimeLaw
 
 PAPER_CONTINUITY = 2
 
 
-def time_quintic(requirements: Requirements) -> TimeLaw:
+def time_quintic(requirements: Requirements, budgets: Sequence[Budget] = ()) -> TimeLaw:
     """The law of [MMB2017], 6τ⁵ - 15τ⁴ + 10τ³ from stop to stop on every leg, each in its least time.
 
     Where a leg's duration is fixed, that is its time, whether or not the quintic can keep the limits in it.
@@ -21,14 +28,20 @@ def time_quintic(requirements: Requirements) -> TimeLaw:
     for demand in requirements.demands:
         if demand.key() not in known:
             known[demand.key()] = _fixed(demand, smoothstep.time_leg(demand, PAPER_CONTINUITY))
-    return TimeLaw("quintic", tuple(known[d.key()] for d in requirements.demands), requirements.dwells)
+    return _on_time("quintic", [known[d.key()] for d in requirements.demands], requirements, budgets)
 
 
-def time_double_s(route: Route, requirements: Requirements, *, stop: bool = False) -> TimeLaw:
-    """The double-S profile over every run, or with `stop` over every leg, from rest to rest."""
+def time_double_s(
+    route: Route, requirements: Requirements, budgets: Sequence[Budget] = (), *, stop: bool = False
+) -> TimeLaw:
+    """The double-S profile over every run, or with `stop` over every leg, from rest to rest.
+
+    A run in which a time of arrival is given is cut there, since its parts are stretched apart.
+    """
+    cut = replace(requirements, stops=requirements.stops | {budget.legs for budget in budgets})
     known: dict[object, tuple[Timing, ...]] = {}
     timings: list[Timing] = []
-    for run in requirements.by_run(route, stop=stop):
+    for run in cut.by_run(route, stop=stop):
         demands = run.legs
         key = tuple(d.key() for d in demands)
         if key not in known:
@@ -36,21 +49,29 @@ def time_double_s(route: Route, requirements: Requirements, *, stop: bool = Fals
             if len(demands) == 1:
                 known[key] = (_fixed(demands[0], known[key][0]),)
         timings += known[key]
-    return TimeLaw("double-S, every stop" if stop else "double-S", tuple(timings), requirements.dwells)
+    return _on_time("double-S, every stop" if stop else "double-S", timings, requirements, budgets)
 
 
 def _fixed(demand: Demand, timing: Timing) -> Timing:
     return timing if demand.duration is None else Timing(demand.duration, timing.easing)
 
 
-def _double_s(route: Route, requirements: Requirements) -> tuple[TimeLaw, ...]:
+def _on_time(
+    name: str, timings: Sequence[Timing], requirements: Requirements, budgets: Sequence[Budget]
+) -> TimeLaw:
+    """The law in the given times."""
+    elastic = [demand.duration is None for demand in requirements.demands]
+    return TimeLaw(name, meet_budgets(timings, elastic, budgets), requirements.dwells)
+
+
+def _double_s(route: Route, requirements: Requirements, budgets: Sequence[Budget]) -> tuple[TimeLaw, ...]:
     """Over the runs, and where a run has more than one leg, stopping at every node too."""
-    through = (time_double_s(route, requirements),)
+    through = (time_double_s(route, requirements, budgets),)
     one_leg_runs = len(requirements.runs(route)) == len(route.legs)
-    return through if one_leg_runs else (*through, time_double_s(route, requirements, stop=True))
+    return through if one_leg_runs else (*through, time_double_s(route, requirements, budgets, stop=True))
 
 
-BASELINES: dict[str, Callable[[Route, Requirements], tuple[TimeLaw, ...]]] = {
-    "quintic": lambda _, requirements: (time_quintic(requirements),),
+BASELINES: dict[str, Callable[[Route, Requirements, Sequence[Budget]], tuple[TimeLaw, ...]]] = {
+    "quintic": lambda _, requirements, budgets: (time_quintic(requirements, budgets),),
     "double-s": _double_s,
 }

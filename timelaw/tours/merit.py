@@ -9,7 +9,8 @@ EQUAL = 1e-9  # relative; a value this near to its bound has reached it
 class Merit:
     """`value` of a tour and a proved `bound` on it: no tour has less, or with `most`, none has more.
 
-    Lengths and turning in rad, times in s. `proof` says how the bound is known.
+    Lengths and turning in rad, times in s. `proof` says how the bound is known; `asked`, whether the
+    tour was searched for that.
     """
 
     name: str
@@ -17,6 +18,7 @@ class Merit:
     bound: float
     proof: str
     most: bool = False
+    asked: bool = True
 
     @property
     def is_best(self) -> bool:

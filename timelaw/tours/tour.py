@@ -87,7 +87,8 @@ def find_tour(problem: Problem, points: OrientationSet, progress: Progress | Non
     if not any(merit.name == "length" for merit in merits):
         legs = len(points) - 1 + spec.closed
         short = length <= legs * (minimal + NEIGHBOUR_TOLERANCE)
-        merits = (Merit("length", length, length if short else legs * minimal, MINIMAL), *merits)
+        bound = length if short else legs * minimal
+        merits = (Merit("length", length, bound, MINIMAL, asked=False), *merits)
     return Tour(searched.order, spec.closed, length, minimal, merits)
 
 

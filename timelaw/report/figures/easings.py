@@ -10,6 +10,8 @@ from timelaw.pipeline import Design
 from timelaw.report.figures.style import MAX_LEGS, OPTIMISED, QUINTIC, describe_excerpt, render_svg
 from timelaw.time_law.baselines import PAPER_CONTINUITY
 
+BARS = {"quintic": (QUINTIC, 0.8), "optimised": (OPTIMISED, 0.5)}
+
 
 def draw_easings(design: Design) -> str:
     """The distinct easings f(τ) and f'(τ) over the smoothstep, and the durations of the segments."""
@@ -32,13 +34,13 @@ def draw_easings(design: Design) -> str:
 
 
 def _durations(ax: Any, design: Design) -> None:
+    """Grey bars of the quintic, wherever it stands among the baselines, behind those of the law."""
     count = min(len(design.route.legs), MAX_LEGS)
     place = np.arange(count)
-    for entry, colour, width in ((design.baselines[:1], QUINTIC, 0.8), ((design.optimised,), OPTIMISED, 0.5)):
-        for certified in entry:
-            if certified.name in ("quintic", "optimised"):
-                heights = [leg.duration for leg in certified.law.legs[:count]]
-                ax.bar(place, heights, width=width, color=colour)
+    for certified in design.laws[::-1]:
+        if certified.name in BARS:
+            colour, width = BARS[certified.name]
+            ax.bar(place, [leg.duration for leg in certified.law.legs[:count]], width=width, color=colour)
     names = [leg.name for leg in design.route.legs[:count]]
     ax.set_xticks(place, names, rotation=90, fontsize=7, parse_math=False)
     ax.set_title("duration of each leg [s]" + describe_excerpt(design.optimised.law), fontsize=9)

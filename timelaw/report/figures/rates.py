@@ -14,13 +14,13 @@ from timelaw.report.figures.style import (
     DWELL,
     LIMIT,
     MAX_LABELS,
-    MAX_LEGS,
     NODE,
     OPTIMISED,
     QUINTIC,
     RATE_NAMES,
     UNITS,
     describe_excerpt,
+    list_first,
     render_svg,
 )
 
@@ -46,7 +46,7 @@ def draw_rates(design: Design) -> str:
     for limit, ax in zip(extra, axes[3:], strict=True):
         _parts(ax, law, limit)
         _nodes(ax, design)
-    end = max(curve.segments[:MAX_LEGS][-1].end_time for curve in (law, grey or law))
+    end = max(list_first(curve)[-1].end_time for curve in (law, grey or law))
     axes[0].set_xlim(-0.005 * end, 1.005 * end)
     axes[-1].set_xlabel("time [s]" + describe_excerpt(law))
     axes[0].legend(loc="lower left", bbox_to_anchor=(0, 1.12), ncols=3, borderaxespad=0)
@@ -57,7 +57,7 @@ def draw_rates(design: Design) -> str:
 def _parts(ax: Any, law: QuaternionLaw, limit: str) -> None:
     """The part of a limit that is used over time, axis by axis where it is given so."""
     ax.set_ylabel(f"{limit} / limit")
-    curves = trace_parts(law, law.segments[:MAX_LEGS], limit)
+    curves = trace_parts(law, list_first(law), limit)
     for colour, (label, (times, values)) in zip(AXIS_COLOURS, curves.items(), strict=False):
         ax.plot(times, values, color=colour if len(curves) > 1 else OPTIMISED, linewidth=1.3, label=label)
     ax.axhline(1.0, color=LIMIT, linewidth=1, linestyle=(0, (5, 3)))
@@ -67,7 +67,7 @@ def _parts(ax: Any, law: QuaternionLaw, limit: str) -> None:
 
 
 def _curve(ax: Any, law: QuaternionLaw, order: int, colour: str, width: float, label: str) -> None:
-    times, values = trace_rate(law.segments[:MAX_LEGS], order)
+    times, values = trace_rate(list_first(law), order)
     ax.plot(times, np.degrees(values), color=colour, linewidth=width, label=label)
 
 
@@ -75,7 +75,7 @@ def _limit(ax: Any, design: Design, order: int) -> None:
     """The bound on |k-th rate| leg by leg, one line through where it is the same for all."""
     style = {"color": LIMIT, "linewidth": 1, "linestyle": (0, (5, 3))}
     law = design.optimised.law
-    arcs = [s for s in law.segments[:MAX_LEGS] if s.moves]
+    arcs = [s for s in list_first(law) if s.moves]
     bounds = [
         min((quantity.row.rate_bound(order) for quantity, _ in law.quantities(arc)), default=inf)
         for arc in arcs
@@ -92,22 +92,24 @@ def _limit(ax: Any, design: Design, order: int) -> None:
 
 def _nodes(ax: Any, design: Design) -> None:
     """Lines at the nodes, dotted where the body goes straight on; dwells are shaded."""
-    for segment in design.optimised.law.segments[:MAX_LEGS]:
+    for segment in list_first(design.optimised.law):
         if not segment.moves:
             ax.axvspan(segment.start_time, segment.end_time, color=DWELL, linewidth=0, zorder=-1)
-    for node in design.optimised.certificate.continuity.nodes[: MAX_LEGS + 1]:
-        dotted = node.kind == "straight"
-        ax.axvline(node.time, color=NODE, linewidth=0.7, linestyle=":" if dotted else "-", zorder=0)
+    for node in design.optimised.certificate.continuity.nodes[: len(list_first(design.optimised.law)) + 1]:
+        style = ":" if node.passed else "-"
+        ax.axvline(node.time, color=NODE, linewidth=0.7, linestyle=style, zorder=0)
 
 
 def _labels(ax: Any, design: Design) -> None:
     """Node labels above the first panel, a dwell's once; a dot marks the nodes passed at speed."""
     last = None
-    for node in design.optimised.certificate.continuity.nodes[: MAX_LEGS + 1][:MAX_LABELS]:
+    for node in design.optimised.certificate.continuity.nodes[: len(list_first(design.optimised.law)) + 1][
+        :MAX_LABELS
+    ]:
         if node.label == last:
             continue
         last = node.label
-        text = f"·{node.label}·" if node.kind == "straight" else node.label
+        text = f"·{node.label}·" if node.passed else node.label
         ax.annotate(
             text,
             (node.time, 1),

@@ -4,6 +4,7 @@ import io
 from typing import Any
 
 from timelaw.motion import QuaternionLaw
+from timelaw.motion.segment import Segment
 
 OPTIMISED, QUINTIC, LIMIT, NODE, DWELL = "#0b5fa5", "#9b9b9b", "#b3261e", "#c9c9c9", "#eef0f2"
 AXIS_COLOURS = ("#0b5fa5", "#b07400", "#1b6e3c")
@@ -35,7 +36,13 @@ def render_svg(figure: Any, salt: str) -> str:
     return text.getvalue()
 
 
+def list_first(law: QuaternionLaw) -> tuple[Segment, ...]:
+    """The segments up to the last leg that is drawn, dwells between them included."""
+    legs = law.legs[:MAX_LEGS]
+    return law.segments if len(legs) == len(law.legs) else law.segments[: law.segments.index(legs[-1]) + 1]
+
+
 def describe_excerpt(law: QuaternionLaw) -> str:
     """What to add to a title where only the first legs are drawn."""
-    count = len(law.segments)
+    count = len(law.legs)
     return f", the first {MAX_LEGS} of {count} legs" if count > MAX_LEGS else ""

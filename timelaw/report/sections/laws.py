@@ -1,13 +1,37 @@
 """The optimised law beside the baselines."""
 
+from math import inf, isfinite
 from typing import Any
 
+from timelaw.least_time.constant_bounds import rate_bounds
+from timelaw.least_time.phase_plane import has_coupling
+from timelaw.least_time.snap import symmetric_time
+from timelaw.pipeline import Design
 from timelaw.report.section import Facts, Section
 
 
 def _context(facts: Facts) -> dict[str, Any]:
-    limits = [check.limit for check in facts.design.optimised.certificate.limits]
-    return {"rows": facts.rows, "limits": limits}
+    design = facts.design
+    given = design.requirements.arrivals or design.problem.objective.total_time is not None
+    return {
+        "rows": facts.rows,
+        "limits": [check.limit for check in design.optimised.certificate.limits],
+        "given_times": bool(given),
+        "symmetric": _time_symmetric(design),
+        "unbounded": any(not isfinite(row.smoothness) for row in facts.rows),
+    }
+
+
+def _time_symmetric(design: Design) -> float | None:
+    """What symmetric profiles under the snap limit too would take; None where there is none."""
+    requirements = design.requirements
+    total = requirements.dwell_time
+    for run in requirements.by_run(design.route):
+        bounds = [min(b) for b in zip(*(rate_bounds(leg.rows) for leg in run.legs), strict=True)]
+        if bounds[-1] == inf or not run.elastic or has_coupling([r for leg in run.legs for r in leg.rows]):
+            return None
+        total += symmetric_time(sum(leg.angle for leg in run.legs), bounds)
+    return total
 
 
 SECTION = Section("Laws side by side", "laws.html", _context)

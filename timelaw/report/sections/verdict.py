@@ -2,17 +2,18 @@
 
 from typing import Any
 
+from timelaw.report.outcome import describe_outcome
 from timelaw.report.section import Facts, Section
-from timelaw.report.tour_text import describe_merits
+from timelaw.report.tour_text import describe_order
 
 
 def _context(facts: Facts) -> dict[str, Any]:
     design = facts.design
     return {
-        "certificate_lines": describe_merits(design.tour),
+        "certificate_lines": describe_order(design.tour),
         "runs_count": len(design.requirements.runs(design.route)),
         "best": facts.rows[0],
-        "least": facts.limit,
+        "outcome": describe_outcome(design),
     }
 
 
