@@ -102,6 +102,37 @@ def test_no_function_has_the_name_of_its_module():
             assert not (isinstance(node, ast.FunctionDef) and node.name == path.stem), path
 
 
+ANSWERING = ("limits", "motion", "objectives", "easing")  # rooms whose kinds answer for themselves
+
+
+def kinds() -> dict[str, Path]:
+    """Classes of limits, rows, segments, objectives, families and bases, and the file of each."""
+    found = {}
+    for path in (p for room in ANSWERING for p in (ROOT / room).glob("*.py")):
+        for node in ast.parse(path.read_text()).body:
+            if isinstance(node, ast.ClassDef):
+                found[node.name] = path
+    return found
+
+
+def test_no_code_asks_what_kind_a_thing_is():
+    """Neither isinstance, nor type(), nor match on a class of these rooms outside the file that defines it."""
+    known = kinds()
+    assert {"Arc", "Dwell", "RateRow", "TorqueRow", "Rate", "Momentum", "LeastTime", "SplineFamily"} <= set(
+        known
+    )
+    for path in modules():
+        for node in ast.walk(ast.parse(path.read_text())):
+            asked = []
+            if isinstance(node, ast.Call) and getattr(node.func, "id", "") in ("isinstance", "issubclass"):
+                asked = [n.id for n in ast.walk(node.args[1]) if isinstance(n, ast.Name)]
+            elif isinstance(node, ast.MatchClass):
+                asked = [getattr(node.cls, "id", "")]
+            elif isinstance(node, ast.Compare) and "type(" in ast.unparse(node.left):
+                asked = [n.id for n in ast.walk(node) if isinstance(n, ast.Name)]
+            assert all(known.get(name, path) == path for name in asked), f"{path}:{node.lineno}"
+
+
 def loaded(code: str) -> set[str]:
     script = f"import sys\n{code}\nprint(*sys.modules)"
     done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)

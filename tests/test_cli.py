@@ -1,6 +1,7 @@
 """The command line as a shell sees it: exit codes, stdout, stderr, files."""
 
 import json
+import os
 import shutil
 import subprocess
 import sys
@@ -194,3 +195,122 @@ def test_help_and_version():
 
 def test_the_installed_command_is_there():
     assert shutil.which("timelaw", path=str(Path(sys.executable).parent))
+
+
+def at_a_terminal(command, columns=80):
+    """What a command shows on a terminal of so many columns."""
+    import pty
+
+    master, slave = pty.openpty()
+    environment = {**os.environ, "COLUMNS": str(columns), "TERM": "dumb"}
+    done = subprocess.Popen(command, stderr=slave, stdout=subprocess.DEVNULL, env=environment)
+    os.close(slave)
+    shown = b""
+    while True:
+        try:
+            part = os.read(master, 65536)
+        except OSError:
+            break
+        if not part:
+            break
+        shown += part
+    done.wait()
+    return shown.decode()
+
+
+def test_no_number_or_name_is_cut_on_a_narrow_terminal(tmp_path):
+    """Labels of any length, eight columns: what does not fit in 80 is folded by the terminal, never cut."""
+    names = [f"calibration-pose-with-a-long-name-{i}" for i in range(4)]
+    rows = [
+        "label,w,x,y,z",
+        f"{names[0]},1,0,0,0",
+        f"{names[1]},0.6,0.8,0,0",
+        f"{names[2]},0,1,0,0",
+        f"{names[3]},0,0,1,0",
+    ]
+    (tmp_path / "scan.csv").write_text("\n".join(rows))
+    text = "timelaw: 1\nname: narrow\nroute: {orientations: {file: scan.csv}}\nlimits: {velocity: [61.2345 deg/s, 60 deg/s, 60 deg/s], jerk: 601.234 deg/s^3}\n"
+    (tmp_path / "narrow.yaml").write_text(text)
+    command = [sys.executable, "-m", "timelaw", "design", tmp_path / "narrow.yaml", "-o", tmp_path / "out"]
+    shown = at_a_terminal([str(part) for part in command])
+    assert "…" not in shown
+    assert "61.2345" in shown
+    assert "601.234" in shown
+    assert "acceleration" not in shown
+    assert any(f"{a}–{b}" in shown for a in names for b in names)
+    tour = at_a_terminal([sys.executable, "-m", "timelaw", "tour", str(tmp_path / "narrow.yaml")])
+    assert "…" not in tour
+    assert all(name in tour for name in names)
+
+
+@pytest.mark.parametrize(
+    ("limits", "shown", "unit"),
+    [
+        ("{velocity: 60 deg/s, jerk: 600 deg/s^3}", "600", "deg/s³"),
+        ("{velocity: 1 rad/s, jerk: 10 rad/s^3}", "10", "rad/s³"),
+        ("{velocity: 60 °/s, jerk: 10 rad/s^3}", "572.958", "deg/s³"),
+        ("{velocity: 10 rpm, jerk: 600 deg/s^3}", "60", "deg/s"),
+    ],
+)
+def test_the_terminal_speaks_the_files_units_and_names_them(tmp_path, limits, shown, unit):
+    route = "{orientations: {list: [[1,0,0,0], [0.6,0.8,0,0]]}}"
+    (tmp_path / "u.yaml").write_text(f"timelaw: 1\nname: u\nroute: {route}\nlimits: {limits}\n")
+    done = timelaw("design", tmp_path / "u.yaml", "-o", tmp_path / "out")
+    rows = [line.split() for line in done.stderr.splitlines()]
+    assert [unit, shown] in [row[1:3] for row in rows]
+    verified = timelaw("verify", tmp_path / "out" / "law.json")
+    assert "rad/s³" in verified.stderr  # as the law file has it
+    assert "deg" not in verified.stderr
+
+
+def test_what_is_wrong_with_a_command_line_is_said_once():
+    assert timelaw().stderr.startswith("timelaw: Missing command.")
+    assert timelaw("design").stderr.startswith("timelaw: design: Missing argument 'PROBLEM'.")
+    assert timelaw("nothing").stderr.startswith("timelaw: No such command 'nothing'.")
+
+
+def test_a_file_of_another_kind_gets_one_sentence(designed):
+    law = designed[0] / "results" / "first-steps" / "law.json"
+    study, problem = PROBLEMS / "studies" / "calm-front.yaml", PROBLEMS / "first-steps.yaml"
+    cases = {
+        (
+            "design",
+            study,
+        ): f"{study}:1:1: this is a study file, not a problem file; use it with: timelaw sweep {study}",
+        (
+            "tour",
+            study,
+        ): f"{study}:1:1: this is a study file, not a problem file; use it with: timelaw sweep {study}",
+        (
+            "sweep",
+            problem,
+        ): f"{problem}:1:1: this is a problem file, not a study file; use it with: timelaw design {problem}",
+        (
+            "design",
+            law,
+        ): f"{law}:1:1: this is a law file, not a problem file; use it with: timelaw verify {law}",
+        ("sweep", law): f"{law}:1:1: this is a law file, not a study file; use it with: timelaw verify {law}",
+    }
+    for (command, path), message in cases.items():
+        done = timelaw(command, path)
+        assert done.returncode == 2
+        assert done.stderr == f"timelaw: {message}\n"
+
+
+def test_json_says_what_was_gained_and_null_for_what_has_no_bound(tmp_path):
+    route = "{orientations: {list: [[1,0,0,0], [0.6,0.8,0,0]]}}"
+    limits = "{velocity: 60 deg/s, acceleration: 100 deg/s^2}"
+    base = f"timelaw: 1\nroute: {route}\nlimits: {limits}\n"
+    (tmp_path / "a.yaml").write_text(base + "name: a\neasing: {basis: double-s}\nnodes: {continuity: 1}\n")
+    (tmp_path / "b.yaml").write_text(base + "name: b\nobjective: {minimise: energy, total_time: 9 s}\n")
+    first, second = (
+        json.loads(timelaw("design", tmp_path / f"{n}.yaml", "-o", tmp_path / n, "--json").stdout)
+        for n in "ab"
+    )
+    assert first["laws"][0]["smoothness"] is None
+    assert "objective" not in first
+    assert second["objective"]["minimise"] == "energy"
+    assert 0 < second["objective"]["gained"] < 1
+    assert second["objective"]["value"] == pytest.approx(
+        (1 - second["objective"]["gained"]) * second["objective"]["quintic_at_equal_times"]
+    )

@@ -88,9 +88,11 @@ def integrated(angle, bounds):
 def test_the_phases_integrate_to_the_angle_and_to_rest(angle, bounds, duration):
     scaled = tuple(b * DEG for b in bounds)
     position, velocity, total = integrated(angle * DEG, scaled)
+    assert total == pytest.approx(duration)
     if bounds[1:] == (inf, inf):
-        velocity = position = 0  # constant velocity throughout: checked by its duration alone
-        assert total == pytest.approx(duration)
+        assert position == pytest.approx(0)  # nothing accelerates: the velocity is there from the start
+        (only,) = list_phases(angle * DEG, *scaled)
+        assert only.at(only.duration)[:2] == pytest.approx((angle * DEG, scaled[0]))
         return
     assert position == pytest.approx(angle * DEG, rel=1e-5)
     assert velocity == pytest.approx(0, abs=1e-5 * max(p.velocity for p in list_phases(angle * DEG, *scaled)))

@@ -79,10 +79,13 @@ def test_the_slew_is_bound_by_torque_and_momentum():
     ratios = {check.limit: check.ratio for check in designed.optimised.certificate.limits}
     assert designed.optimised.certificate.holds
     assert {name for name, ratio in ratios.items() if ratio > 0.999} >= {"torque x", "torque y", "momentum x"}
-    # about y: J 10 kg m², so 0.01 rad/s² and 0.05 rad/s under 0.2 deg/s³ for 45 degrees, and 5 s at 6 nodes
+    # about y: J 10 kg m², so 0.01 rad/s² and 0.05 rad/s under 0.2 deg/s³ for 45 degrees: wheels without net
+    # momentum make that the double-S, and the chosen easing comes within one percent of it
     ramp = 0.01 / (0.2 * DEG) + 0.05 / 0.01
     leg = 45 * DEG / 0.05 + ramp
-    assert designed.optimised.law.segments[1].duration == pytest.approx(leg, rel=1e-6)
+    double_s = next(b.law for b in designed.baselines if b.name == "double-S")
+    assert double_s.segments[1].duration == pytest.approx(leg, rel=1e-6)
+    assert leg <= designed.optimised.law.segments[1].duration <= 1.01 * leg
 
 
 def test_the_wrist_is_calm_and_slow_past_the_cable():

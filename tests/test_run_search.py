@@ -77,6 +77,7 @@ def stops_counted(_i, _j, _k):
     return 1.0
 
 
+@pytest.mark.campaign
 def test_no_open_tour_of_the_600_cell_has_43_straight_nodes():
     """16 runs, 15 corners: the search ends without one."""
     search = RunSearch(MinimalLegs(make_lattice("600-cell")), False, 15, stops_counted)

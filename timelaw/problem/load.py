@@ -23,27 +23,29 @@ def load_problem(path: Path) -> tuple[Problem, Source]:
         InputError: with one fault per line, each with file:line:column.
     """
     source = read(read_text(path), str(path))
-    refuse_other_kinds(source, "timelaw")
+    refuse_other_kinds(source, "a problem file")
     return check_problem(source), source
 
 
-FILES = {  # the key that tells a file's kind: what it is, and the command that takes it
-    "timelaw-study": ("a study file", "timelaw sweep"),
-    "format": ("a law file", "timelaw verify"),
-    "timelaw": ("a problem file", "timelaw design"),
+FILES = {  # by what they are: the command that takes them
+    "a law file": "timelaw verify",
+    "a study file": "timelaw sweep",
+    "a problem file": "timelaw design",
 }
 
 
 def refuse_other_kinds(source: Source, wanted: str) -> None:
-    """Say in one sentence that a file is of another kind, where its first key shows it.
+    """Say in one sentence that a file is of another kind, where its keys show it.
 
     Raises:
-        InputError: it has the key of another kind, and not that of the kind that is wanted.
+        InputError: it is one of `FILES`, but not the one that is wanted.
     """
-    for key, (kind, command) in FILES.items():
-        if key in source.data and wanted not in source.data:
-            message = f"this is {kind}, not {FILES[wanted][0]}; use it with: {command} {source.path}"
-            raise InputError(source.fault((), message))
+    data = source.data
+    marks = (data.get("format") == "timelaw-law", "timelaw-study" in data, "timelaw" in data)
+    kind = next((kind for kind, there in zip(FILES, marks, strict=True) if there), wanted)
+    if kind != wanted:
+        message = f"this is {kind}, not {wanted}; use it with: {FILES[kind]} {source.path}"
+        raise InputError(source.fault((), message))
 
 
 def parse_problem(text: str, path: str = "<problem>") -> Problem:

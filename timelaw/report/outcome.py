@@ -75,7 +75,7 @@ def _describe_gain(gain: Gain) -> str:
 
 
 def _describe_cost(design: Design, best: LawRow, limit: float) -> list[str]:
-    """What the chosen easing costs against the best that its continuity allows, and what it gives for that."""
+    """What the chosen easing costs against the best that its continuity allows, and what it gives."""
     asked = design.problem.nodes.continuity
     double_s = next((r for r in list_law_rows(design) if r.name == "double-S"), None)
     known = double_s is not None and double_s.holds and double_s.continuity >= asked

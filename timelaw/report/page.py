@@ -1,5 +1,6 @@
 """`report.html`: one self-contained page, and the figures it shows as files of their own."""
 
+from html import escape
 from typing import Any
 
 import numpy as np
@@ -53,6 +54,7 @@ def _environment() -> Environment:
     )
     environment.filters["deg"] = np.degrees
     environment.filters["vector"] = _vector
+    environment.filters["prose"] = _prose
     environment.filters["shown"] = _shown
     return environment
 
@@ -60,6 +62,11 @@ def _environment() -> Environment:
 def _shown(value: float, unit: str) -> str:
     """A bound or peak with its unit, angles in degrees."""
     return f"{convert(value, unit, degrees=True):.6g} {name_unit(unit, degrees=True)}"
+
+
+def _prose(text: str) -> Markup:
+    """A sentence of ours as text of the page; what it quotes is escaped, apostrophes stay."""
+    return Markup(escape(text, quote=False))
 
 
 def _vector(components: Any, scale: float) -> str:

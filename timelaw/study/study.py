@@ -81,7 +81,7 @@ def read_study(path: Path) -> Study:
         InputError: either file is wrong.
     """
     source = read(read_text(path), str(path))
-    refuse_other_kinds(source, "timelaw-study")
+    refuse_other_kinds(source, "a study file")
     try:
         model = StudyModel.model_validate(source.data)
     except ValidationError as error:

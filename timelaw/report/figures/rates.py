@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from timelaw.limits import LIMITS
 from timelaw.motion import QuaternionLaw
 from timelaw.pipeline import Design
 from timelaw.report.active_limits import trace_parts
@@ -30,7 +31,7 @@ def draw_rates(design: Design) -> str:
     from matplotlib.figure import Figure
 
     law = design.optimised.law
-    extra = [limit for limit in ("torque", "momentum") if limit in law.limits]
+    extra = [name for name, kind in LIMITS.items() if kind.needs_inertia and name in law.limits]
     figure = Figure(figsize=(9.4, 6.4 + 1.8 * len(extra)), layout="constrained")
     axes: Any = figure.subplots(3 + len(extra), 1, sharex=True)
     grey = next((b.law for b in design.baselines if b.name == "quintic"), None)

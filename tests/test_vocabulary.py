@@ -1,0 +1,74 @@
+"""Where a list of names stands twice, a Literal in a model and a registry that answers to it, they agree."""
+
+from typing import get_args
+
+import pytest
+
+from timelaw.easing.registry import BASES
+from timelaw.limits import LIMITS
+from timelaw.limits.torque import ACTUATORS, TORQUE_FORMULAS
+from timelaw.motion.kinds import KINDS
+from timelaw.motion.segment import RATES
+from timelaw.objectives import EFFORTS, OBJECTIVES
+from timelaw.orientations.forms import FORMS
+from timelaw.orientations.lattices import LATTICES
+from timelaw.problem.body import Body
+from timelaw.problem.limits import Limits
+from timelaw.problem.nodes import Nodes
+from timelaw.problem.objective import Goal
+from timelaw.problem.problem import Baseline, EasingModel, Problem
+from timelaw.problem.route import NEEDS, SEARCHED, FormName, LatticeName, TourName
+from timelaw.reproduce.readme_tables import TOURS as TABLED
+from timelaw.study.study import StudyModel
+from timelaw.time_law import BASELINES
+from timelaw.tours.tour import TOURS
+
+
+def choices(model, field):
+    """The names a field of a model takes, from its JSON schema."""
+    return model.model_json_schema()["properties"][field]["enum"]
+
+
+PAIRS = {
+    "lattices": (get_args(LatticeName), LATTICES),
+    "tours": (get_args(TourName), TOURS),
+    "searched tours": (SEARCHED, [t for t in TOURS if t not in ("given", "paper")]),
+    "forms of orientations": (get_args(FormName), FORMS),
+    "forms with more keys": (NEEDS, [form for form in FORMS if form in NEEDS]),
+    "baselines": (get_args(Baseline), BASELINES),
+    "limits": (Limits.model_fields, LIMITS),
+    "objectives": (choices(Goal, "minimise"), OBJECTIVES),
+    "efforts": (choices(StudyModel, "effort"), EFFORTS),
+    "bases": (choices(EasingModel, "basis"), BASES),
+    "keys of easings": ({"basis", *(k for b in BASES.values() for k in b.keys)}, EasingModel.model_fields),
+    "actuators": (choices(Body, "actuator"), ACTUATORS),
+    "formulas of the actuators": (TORQUE_FORMULAS, ACTUATORS),
+    "kinds of segments": ([kind.kind for kind in KINDS.values()], KINDS),
+    "kinds in the law file": (
+        [get_args(kind.document_model.model_fields["kind"].annotation)[0] for kind in KINDS.values()],
+        KINDS,
+    ),
+    "continuity": (get_args(Nodes.model_fields["continuity"].annotation), RATES),
+    "lattices of the README": (TABLED, LATTICES),
+}
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+def test_a_list_of_names_agrees_with_its_registry(pair):
+    names, registry = PAIRS[pair]
+    assert set(names) == set(registry)
+
+
+def test_every_default_of_the_problem_is_a_name_of_its_registry():
+    assert set(Problem.model_fields["baselines"].default) <= set(BASELINES)
+    assert Goal().minimise in OBJECTIVES
+    assert EasingModel().basis in BASES
+
+
+@pytest.mark.parametrize("name", OBJECTIVES)
+def test_every_objective_says_what_it_is(name):
+    objective = OBJECTIVES[name]
+    assert objective.name == name
+    assert set(objective.takes) <= set(Goal.model_fields)
+    assert 1 <= objective.continuity <= max(RATES)
+    assert objective.separable == (not objective.takes)
