@@ -53,8 +53,7 @@ class Certificate:
             return []
         rate = ("omega", "alpha", "jerk")[self.continuity.order]
         worst = max(self.continuity.nodes, key=lambda node: node.jump[rate])
-        places = [f"at node {n.label}" for n in (worst,) if n.continuity == self.continuity.order]
-        place = places[0] if places else "inside a segment"
+        place = f"at node {worst.label}" if worst.continuity == self.continuity.order else "inside a segment"
         return [f"{rate} jumps {place}, where a limit on one of its derivatives cannot hold"]
 
     def to_dict(self) -> dict[str, Any]:

@@ -1,4 +1,4 @@
-"""The command line: `timelaw design`, `timelaw verify`."""
+"""The command line: `timelaw design`, `verify`, `tour` and `sweep`."""
 
 from timelaw.cli.app import main
 

@@ -4,6 +4,7 @@ import json
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from timelaw.errors import TimelawError
@@ -13,6 +14,7 @@ from timelaw.units import convert, name_unit
 if TYPE_CHECKING:
     from timelaw.certificate import Certificate
 
+RESULTS = Path("results")  # where results go, in a folder of their name
 UNBOUNDED = 100_000  # characters; no table of ours is wider
 
 

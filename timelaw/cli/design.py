@@ -5,7 +5,7 @@ from math import isfinite
 from pathlib import Path
 from typing import Any
 
-from timelaw.cli.console import print_json, print_limits, print_table, say, show_progress
+from timelaw.cli.console import RESULTS, print_json, print_limits, print_table, say, show_progress
 from timelaw.errors import EXIT_DONE, EXIT_FINDINGS
 from timelaw.export import format_law
 from timelaw.export.exporter import EXPORTERS
@@ -13,8 +13,6 @@ from timelaw.files import write_file
 from timelaw.pipeline import Design, design
 from timelaw.report import LawRow, list_law_rows, render_report
 from timelaw.report.outcome import describe_outcome, measure_gain
-
-RESULTS = Path("results")
 
 
 def run(problem: str, output: str | None, *, as_json: bool) -> int:

@@ -4,14 +4,13 @@ from collections import defaultdict
 from math import inf, isfinite
 from pathlib import Path
 
-from timelaw.cli.console import print_json, print_table, say, show_progress
+from timelaw.cli.console import RESULTS, print_json, print_table, say, show_progress
 from timelaw.errors import EXIT_DONE, EXIT_FINDINGS, EXIT_INFEASIBLE
 from timelaw.files import write_text
 from timelaw.report.figures.front import draw_front
 from timelaw.study import Outcome, Study, read_study, run_study
 from timelaw.study.table import format_study, list_cells, list_headings
 
-RESULTS = Path("results")
 HIDDEN = ("continuity", "easing", "status")  # in the CSV file; too wide for a screen
 
 

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import accumulate
+from math import inf
 
 from timelaw.easing import Timing
 from timelaw.easing.time_scaling import used_fraction
@@ -63,31 +64,30 @@ def solve_together(
     whole = len(budgets) == 1 and budgets[0].legs == len(least)
     if elastic and whole and sum_durations(start) <= sum_durations(least) * (1 + AT_MINIMUM):
         return Solution(start, Status.OPTIMAL)
+    scales, where = program.objective.scales_limits, given[-1].where if given else ""
     solution = solve_from(program, start)
-    if solution is not None and _holds(program, solution):
-        return _on_time(runs, solution, budgets)
+    if solution is not None:
+        used = used_fraction(program.demands, solution.timings)
+        if scales and used > 1 + AT_MINIMUM:
+            raise InfeasibleError(_beyond(used, where))
+        if scales or used <= 1:
+            return _on_time(runs, solution, budgets)
     peak = solve_from(replace(program, objective=LEAST_PEAK, weight=None), start)
-    if elastic and used_fraction(program.demands, start) <= 1 and (peak is None or not _holds(program, peak)):
+    used = inf if peak is None else used_fraction(program.demands, peak.timings)
+    if elastic and used > 1 and used_fraction(program.demands, start) <= 1:
         return Solution(start, Status.STRETCHED)
     if peak is None:
         raise InfeasibleError("the solver found no law in the given times; give more time or another degree")
-    used = used_fraction(program.demands, peak.timings)
     if used > 1:
-        message = f"within the given times the limits would have to be {used:.6g} times as large"
-        raise InfeasibleError(Fault(message, given[-1].where if given else ""))
+        raise InfeasibleError(_beyond(used, where))
     solution = solve_from(program, peak.timings)
-    if solution is not None and _holds(program, solution):
+    if solution is not None and (scales or used_fraction(program.demands, solution.timings) <= 1):
         return replace(_on_time(runs, solution, budgets), status=Status.SECOND_START)
     return replace(_on_time(runs, peak, budgets), status=Status.LEAST_PEAK)
 
 
-def _holds(program: Program, solution: Solution) -> bool:
-    """Whether the limits hold, proved; what makes the used part least may find it above 1."""
-    used = used_fraction(program.demands, solution.timings)
-    if program.objective.scales_limits and used > 1 + AT_MINIMUM:
-        message = f"within the given times the limits would have to be {used:.6g} times as large"
-        raise InfeasibleError(Fault(message, "objective.total_time"))
-    return used <= 1 or program.objective.scales_limits
+def _beyond(used: float, where: str) -> Fault:
+    return Fault(f"within the given times the limits would have to be {used:.6g} times as large", where)
 
 
 def stretch_to(

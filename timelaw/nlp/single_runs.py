@@ -1,6 +1,6 @@
 """Solve every distinct run of a route once, falling back where the solver fails."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from timelaw.easing import Timing, smoothstep
@@ -38,45 +38,66 @@ def solve_run(problem: RunProblem) -> Solution:
     """
     from timelaw.nlp.exchange import solve_from  # loads CasADi, which `timelaw verify` has no need of
 
-    program = Program((problem,))
-    whole = problem.family.closed_form(problem.demands)
-    if problem.family.rigid:
-        return Solution(whole, Status.CHOSEN)
-    fallback = Solution(whole, Status.CLOSED_FORM)
-    if problem.elastic and fallback.duration <= problem.run.limit * (1 + SAME_TIME):
-        return replace(fallback, status=Status.PHYSICAL_LIMIT)
-    if problem.elastic and not problem.bases[0].free and len(problem.demands) == 1:
-        return replace(fallback, status=Status.OPTIMAL)
-    first = solve_from(program, problem.family.start(problem.demands))
-    if first is not None and first.status is Status.OPTIMAL and _plausible(program, first, fallback):
-        return first
-    second = solve_from(program, _second_start(problem))
-    if second is not None and second.status is Status.OPTIMAL:
-        second = replace(second, status=Status.SECOND_START)
-    failed = program.elastic and first is None and second is None
-    third = _from_simpler(problem, program) if failed else None
-    candidates = [s for s in (third, second, first) if s is not None and _plausible(program, s, fallback)]
-    if program.elastic:
-        candidates.append(fallback)
+    known = _closed_form(problem)
+    if known.status is not Status.CLOSED_FORM:
+        return known
+    program, found = Program((problem,)), list[Solution]()
+    for status, start in _starts(problem):
+        solution = solve_from(program, start)
+        if solution is None:
+            continue
+        found.insert(0, solution)
+        if solution.status is Status.OPTIMAL:
+            found[0] = replace(solution, status=status)
+            if _plausible(program, solution, known):
+                break
+    if program.elastic and not found:
+        found += _from_simpler(problem, program)
+    candidates = [solution for solution in found if _plausible(program, solution, known)]
+    candidates += [known] if program.elastic else []
     if not candidates:
-        raise InfeasibleError(_why(program, whole))
-    return min(candidates, key=lambda s: s.duration)
+        raise InfeasibleError(_why(program, known.timings))
+    return min(candidates, key=lambda solution: solution.duration)
 
 
-def _from_simpler(problem: RunProblem, program: Program) -> Solution | None:
+def _closed_form(problem: RunProblem) -> Solution:
+    """The law in closed form, whose status says if nothing is left to be found."""
+    whole = problem.family.closed_form(problem.demands)
+    known = Solution(whole, Status.CLOSED_FORM)
+    if problem.family.rigid:
+        return replace(known, status=Status.CHOSEN)
+    if problem.elastic and known.duration <= problem.run.limit * (1 + SAME_TIME):
+        return replace(known, status=Status.PHYSICAL_LIMIT)
+    if problem.elastic and not problem.bases[0].free and len(problem.demands) == 1:
+        return replace(known, status=Status.OPTIMAL)
+    return known
+
+
+def _starts(problem: RunProblem) -> Iterator[tuple[Status, Sequence[Timing]]]:
+    """Where the solver begins, and what an optimum is called that it finds from there.
+
+    The family's own start; then smoothsteps that stop at each node, in twice their least time: deep
+    inside the limits.
+    """
+    yield Status.OPTIMAL, problem.family.start(problem.demands)
+    stops = [smoothstep.time_leg(demand, problem.family.continuity) for demand in problem.demands]
+    yield Status.SECOND_START, [timing.stretched(2.0) for timing in stops]
+
+
+def _from_simpler(problem: RunProblem, program: Program) -> list[Solution]:
     """From the solution of a simpler family, which this one contains; that itself if it gets no better."""
     from timelaw.nlp.exchange import solve_from
 
     simpler = problem.family.simpler()
     if simpler is None:
-        return None
+        return []
     known = solve_run(replace(problem, family=simpler))
     if known.status is Status.CLOSED_FORM:
-        return None
+        return []
     found = solve_from(program, known.timings)
     if found is None or found.duration > known.duration:
-        return replace(known, status=Status.SIMPLER)
-    return replace(found, status=Status.SIMPLER) if found.status is Status.OPTIMAL else found
+        return [replace(known, status=Status.SIMPLER)]
+    return [replace(found, status=Status.SIMPLER) if found.status is Status.OPTIMAL else found]
 
 
 def _why(program: Program, start: tuple[Timing, ...]) -> Fault:
@@ -96,9 +117,3 @@ def _plausible(program: Program, solution: Solution, fallback: Solution) -> bool
     if program.elastic:
         return solution.duration <= fallback.duration * (1 + SAME_TIME)
     return used_fraction(program.demands, solution.timings) <= 1
-
-
-def _second_start(problem: RunProblem) -> list[Timing]:
-    """Smoothsteps that stop at each node, in twice their least time: deep inside the limits."""
-    stops = [smoothstep.time_leg(demand, problem.family.continuity) for demand in problem.demands]
-    return [timing.stretched(2.0) for timing in stops]

@@ -9,6 +9,7 @@ from timelaw.numerics.array import Array
 from timelaw.numerics.quaternion import conjugate, multiply
 
 HALF_TURN = 1e-9  # |q_i·q_j| below which both axes of a half-turn are equally short
+SAME_ORIENTATION = 1e-6  # rad; below it two orientations are one, and the axis between them is noise
 SAME_AXIS = 1e-7  # rad; below it two axes are one: quaternions typed with 7 digits still go straight
 
 

@@ -12,8 +12,8 @@ from timelaw.numerics.array import Array
 from timelaw.orientations.lattices import LATTICES, make_lattice
 from timelaw.orientations.spread import measure_covering_radius
 
+MOST_ORIENTATIONS = 5000  # what a tour is searched for: a search holds all distances between them
 PSI = 1.533751168755204288118041  # the root > 1 of x⁴ = x + 4
-MOST = 5000  # what a tour can be searched for
 NEEDED = 60.0  # n ρ³ of the finest spirals, measured: 64 to 80 for ρ of 15° to 60°
 STEP = 1.02  # sets grow by this factor until one is fine enough
 ROUNDING = 1e-9  # of the fill distance: 90° is what the 24-cell has
@@ -41,11 +41,12 @@ def make_uniform(fill: float) -> tuple[Array, str | None]:
         if measure_covering_radius(points := make_lattice(name)) <= fill * (1 + ROUNDING):
             return points, name
     count = int(NEEDED / fill**3)
-    while count <= MOST:
+    while count <= MOST_ORIENTATIONS:
         points = make_spiral(count)
         if measure_covering_radius(points) <= fill:
             return points, None
         count = max(count + 1, int(count * STEP))
-    reached = np.degrees(measure_covering_radius(make_spiral(MOST)))
-    message = f"{np.degrees(fill):.4g}° needs more than {MOST} orientations, which reach {reached:.2f}°"
+    reached = np.degrees(measure_covering_radius(make_spiral(MOST_ORIENTATIONS)))
+    needed = f"{np.degrees(fill):.4g}° needs more than {MOST_ORIENTATIONS} orientations"
+    message = f"{needed}, which reach {reached:.2f}°"
     raise InputError(Fault(message, "route.orientations.uniform.fill"))

@@ -5,6 +5,7 @@ from typing import Annotated, Any, Literal, Self, get_args
 
 from pydantic import BeforeValidator, Field, model_validator
 
+from timelaw.numerics.turn import SAME_ORIENTATION
 from timelaw.problem.fields import NORM_TOLERANCE, Model, as_tuple, fault, quantity, tour_or_labels
 from timelaw.units import ANGLE, MOST
 
@@ -13,7 +14,6 @@ TourName = Literal["paper", "shortest", "fewest-stops", "least-turning", "fastes
 SEARCHED = ("shortest", "fewest-stops", "least-turning", "fastest")
 FormName = Literal["wxyz", "xyzw", "rotation-vector", "matrix", "euler"]
 SOURCES = ("lattice", "file", "list", "uniform")
-SAME = 1e-6  # rad; below it two orientations are one, and the axis between them is noise
 LEAST_FILL, LARGEST_FILL = 1e-3, 3.2  # rad; half a turn is as far as orientations get
 SEQUENCE = r"^([XYZ]{3}|[xyz]{3})$"
 NEEDS = {"rotation-vector": ("unit",), "euler": ("sequence", "unit")}
@@ -83,7 +83,7 @@ class Orientations(Model):
     turned: Turned | None = None
     symmetry: Annotated[str | None, BeforeValidator(lambda value: _class(value))] = None
     duplicates: Literal["merge"] | None = None
-    tolerance: Annotated[float, quantity(ANGLE, SAME, 0.2)] = SAME
+    tolerance: Annotated[float, quantity(ANGLE, SAME_ORIENTATION, 0.2)] = SAME_ORIENTATION
 
     @model_validator(mode="after")
     def _one(self) -> Self:

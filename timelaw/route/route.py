@@ -11,12 +11,17 @@ from numpy.typing import ArrayLike
 from timelaw.errors import Fault, InputError
 from timelaw.numerics.array import Array
 from timelaw.numerics.quaternion import from_axis_angle, multiply
-from timelaw.numerics.turn import SAME_AXIS, Turn, angle_between_axes, choose_sense, find_turn
+from timelaw.numerics.turn import (
+    SAME_AXIS,
+    SAME_ORIENTATION,
+    Turn,
+    angle_between_axes,
+    choose_sense,
+    find_turn,
+)
 from timelaw.orientations import OrientationSet
 from timelaw.route.leg import Leg
 from timelaw.tours import Tour
-
-LEAST_ANGLE = 1e-6  # rad; below it two orientations are one, and the axis between them is noise
 
 NodeKind = Literal["start", "corner", "straight", "end"]
 
@@ -96,7 +101,7 @@ def lay_route(points: OrientationSet, tour: Tour) -> Route:
     visits = points.quaternions[list(order)]
     turns = [find_turn(visits[k], visits[k + 1]) for k in range(len(order) - 1)]
     for k, turn in enumerate(turns):
-        if turn.angle < LEAST_ANGLE:
+        if turn.angle < SAME_ORIENTATION:
             message = f'"{labels[k]}" and "{labels[k + 1]}" follow each other and are the same orientation'
             raise InputError(Fault(message, "route.tour"))
     axes = _settle_half_turns(turns)

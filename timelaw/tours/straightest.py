@@ -26,7 +26,7 @@ from timelaw.tours.shortest import EXACT, open_cycle
 DATA = "data/straight.json"
 PROVED = "exhaustive search"
 COUNTED = "counting"
-MOST_SEARCHED = 300  # orientations: half a minute
+MOST_STRAIGHTENED = 300  # orientations: half a minute
 CALM = 1e-4  # of a stop for a radian of turning: of tours with equally few stops the calmest
 STRAIGHT, TURNING = "straight nodes", "turning"
 GOALS = {STRAIGHT: "fewest-stops", TURNING: "least-turning"}
@@ -83,9 +83,9 @@ def judge_straightness(
 
 def _searched(lines: MinimalLegs, ends: Ends, goal: str, progress: Progress | None) -> Searched:
     """The best that a search by chance finds; the bound by counting says how good it is at least."""
-    if len(lines) > MOST_SEARCHED:
+    if len(lines) > MOST_STRAIGHTENED:
         message = (
-            f'"{GOALS[goal]}" is searched for {MOST_SEARCHED} orientations at most, not for {len(lines)}'
+            f'"{GOALS[goal]}" is searched for {MOST_STRAIGHTENED} orientations at most, not for {len(lines)}'
         )
         raise InputError(Fault(f'{message}; use "shortest" or "fastest"', "route.tour"))
     corners = len(lines) - 2 + ends.closed - lines.counting_bound(ends.closed)

@@ -8,6 +8,7 @@ import numpy as np
 from timelaw.errors import Fault, InputError, list_some
 from timelaw.numerics.quaternion import angle_between
 from timelaw.orientations import OrientationSet
+from timelaw.orientations.uniform import MOST_ORIENTATIONS
 from timelaw.problem import Problem
 from timelaw.problem.route import SEARCHED, RouteModel
 from timelaw.progress import Progress
@@ -22,7 +23,6 @@ from timelaw.tours.travel_rules import make_travel_times
 
 Order = tuple[int, ...]
 PAPER_TOUR = (1, 12, 11, 3, 8, 10, 2, 7, 9, 6, 5, 4)
-MOST_SEARCHED = 5000  # orientations; a search holds all distances between them
 
 
 @dataclass(frozen=True)
@@ -94,7 +94,7 @@ def find_tour(problem: Problem, points: OrientationSet, progress: Progress | Non
 
 def sharpen(found: Tour, points: OrientationSet, progress: Progress | None = None) -> Tour:
     """The tour with the best bound on its length that can be computed, for tours with free ends."""
-    if found.is_shortest or len(points) > MOST_SEARCHED or len(points) < 3:
+    if found.is_shortest or len(points) > MOST_ORIENTATIONS or len(points) < 3:
         return found
     bound = bound_length(measure_distances(points.quaternions), Ends(found.closed), found.length, progress)
     known = next(merit for merit in found.merits if merit.name == "length")
@@ -124,8 +124,10 @@ def _refuse_what_cannot_be_searched(points: OrientationSet) -> None:
         raise InputError(
             Fault(f"some orientations are the same: {listing}; add duplicates: merge", "route.orientations")
         )
-    if len(points) > MOST_SEARCHED:
-        raise _fault(f"a tour is searched for {MOST_SEARCHED} orientations at most, not for {len(points)}")
+    if len(points) > MOST_ORIENTATIONS:
+        raise _fault(
+            f"a tour is searched for {MOST_ORIENTATIONS} orientations at most, not for {len(points)}"
+        )
     if len(points) < 3:
         raise _fault("two orientations have one tour only; use given")
 

@@ -10,6 +10,7 @@ from timelaw.route import Route
 
 AXES = (("x", "#b3261e"), ("y", "#0b5fa5"), ("z", "#1b6e3c"))  # the colours of the printed paper
 POINTS_PER_LEG = 25
+GRID: dict[str, Any] = {"color": "#d5d5d8", "linewidth": 0.4, "zorder": 0}
 VIEW = {"elev": 22.0, "azim": 35.0}
 
 
@@ -43,6 +44,3 @@ def _globe(ax: Any) -> None:
     ax.set_box_aspect((1, 1, 1), zoom=1.35)
     ax.view_init(**VIEW)
     ax.set_axis_off()
-
-
-GRID: dict[str, Any] = {"color": "#d5d5d8", "linewidth": 0.4, "zorder": 0}
