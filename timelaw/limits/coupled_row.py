@@ -23,8 +23,8 @@ class Coupled:
 
 
 @dataclass(frozen=True)
-class TorqueRow(Coupled):
-    """|linear φ'' + gyroscopic φ'²| ≤ bound: one axis of τ = J n φ'' + (n × J n) φ'²."""
+class Gyroscopic(Coupled):
+    """Rows of a torque that has a part in φ'' and one in φ'²."""
 
     limit: str
     label: str
@@ -33,15 +33,21 @@ class TorqueRow(Coupled):
     gyroscopic: float
     bound: float
     note: ClassVar[str] = ""
+
+    def coefficients(self) -> tuple[float, ...]:
+        """Both factors and the bound."""
+        return (self.linear, self.gyroscopic, self.bound)
+
+
+@dataclass(frozen=True)
+class TorqueRow(Gyroscopic):
+    """|linear φ'' + gyroscopic φ'²| ≤ bound: one axis of τ = J n φ'' + (n × J n) φ'²."""
+
     powers: ClassVar[tuple[int, ...]] = (2,)
 
     def value(self, rates: Mapping[int, Any]) -> Any:
         """The torque about one axis."""
         return self.linear * rates[2] + self.gyroscopic * (rates[1] * rates[1])
-
-    def coefficients(self) -> tuple[float, ...]:
-        """Both factors and the bound."""
-        return (self.linear, self.gyroscopic, self.bound)
 
     def speed_limit(self) -> float:
         """Where the gyroscopic torque alone reaches the bound."""
@@ -57,16 +63,9 @@ class TorqueRow(Coupled):
 
 
 @dataclass(frozen=True)
-class TorqueNormRow(Coupled):
+class TorqueNormRow(Gyroscopic):
     """linear² φ''² + gyroscopic² φ'⁴ ≤ bound, a square: J n and n × J n are at right angles."""
 
-    limit: str
-    label: str
-    unit: str
-    linear: float
-    gyroscopic: float
-    bound: float
-    note: ClassVar[str] = ""
     powers: ClassVar[tuple[int, ...]] = (4,)
     root: ClassVar[int] = 2
 
@@ -74,10 +73,6 @@ class TorqueNormRow(Coupled):
         """The square of the torque."""
         square = rates[1] * rates[1]
         return self.linear**2 * (rates[2] * rates[2]) + self.gyroscopic**2 * (square * square)
-
-    def coefficients(self) -> tuple[float, ...]:
-        """Both factors and the bound."""
-        return (self.linear, self.gyroscopic, self.bound)
 
     def speed_limit(self) -> float:
         """Where the gyroscopic torque alone reaches the bound."""

@@ -5,7 +5,6 @@ and tour under one set of limits, all legs by polynomials of degree 9, for what 
 The tables between their marks are replaced.
 """
 
-import sys
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -15,6 +14,7 @@ from timelaw.pipeline import Design, design, design_problem
 from timelaw.problem.load import check_problem
 from timelaw.problem.source import read
 from timelaw.report import list_law_rows
+from timelaw.reproduce.command import run_main
 from timelaw.requirements.route_limit import limit_route
 
 MARK = "reference results"
@@ -141,4 +141,4 @@ def main(arguments: Sequence[str]) -> None:
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    run_main(main)

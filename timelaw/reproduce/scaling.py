@@ -6,7 +6,6 @@ sparse nonlinear program over all. Prints a Markdown table of seconds, and what 
 
 import os
 import platform
-import sys
 import time
 from collections.abc import Sequence
 
@@ -19,6 +18,7 @@ from timelaw.nlp.all_runs import Deadline, solve_together
 from timelaw.nlp.single_runs import solve_runs
 from timelaw.nlp.solution import sum_durations
 from timelaw.problem.objective import Goal, TotalTime
+from timelaw.reproduce.command import run_main
 from timelaw.requirements.given_times import Budget
 
 NODES = (30, 100, 300)
@@ -54,4 +54,4 @@ def main(arguments: Sequence[str]) -> None:
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    run_main(main)

@@ -7,13 +7,13 @@ continuations are shuffled and attempts start afresh, which finds what exists so
 """
 
 import json
-import sys
 from collections.abc import Sequence
 from math import degrees, radians
 from random import Random
 
 from timelaw.errors import TimelawError
 from timelaw.orientations.lattices import LATTICES, make_lattice
+from timelaw.reproduce.command import run_main
 from timelaw.tours.ends import list_visits
 from timelaw.tours.graph.minimal_legs import MinimalLegs
 from timelaw.tours.search.run_search import Corner, RunSearch
@@ -70,7 +70,4 @@ def main(arguments: Sequence[str]) -> None:
 
 
 if __name__ == "__main__":
-    try:
-        main(sys.argv[1:])
-    except TimelawError as error:
-        sys.exit(f"timelaw: {error}")
+    run_main(main)

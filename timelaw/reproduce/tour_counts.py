@@ -5,13 +5,13 @@ nodes they go straight on, too. For the 24-cell besides them the paths of table 
 the twelve representatives are at π/3 only if q_i·q_j = ½, not -½.
 """
 
-import sys
 from collections.abc import Sequence
 
 import numpy as np
 
 from timelaw.errors import TimelawError
 from timelaw.orientations.lattices import LATTICES, make_lattice
+from timelaw.reproduce.command import run_main
 from timelaw.tours.graph.minimal_legs import MinimalLegs
 from timelaw.tours.search.subset_dp import MOST_NODES, Move, Start, count_all
 
@@ -92,7 +92,4 @@ def main(arguments: Sequence[str]) -> None:
 
 
 if __name__ == "__main__":
-    try:
-        main(sys.argv[1:])
-    except TimelawError as error:
-        sys.exit(f"timelaw: {error}")
+    run_main(main)
