@@ -5,6 +5,7 @@ from typing import get_args
 import pytest
 
 from timelaw.easing.registry import BASES
+from timelaw.law_file.schema import RatesDocument
 from timelaw.limits import LIMITS
 from timelaw.limits.torque import ACTUATORS, TORQUE_FORMULAS
 from timelaw.motion.kinds import KINDS
@@ -48,6 +49,7 @@ PAIRS = {
         [get_args(kind.document_model.model_fields["kind"].annotation)[0] for kind in KINDS.values()],
         KINDS,
     ),
+    "rates in the law file": (RatesDocument.model_fields, RATES.values()),
     "continuity": (get_args(Nodes.model_fields["continuity"].annotation), RATES),
     "lattices of the README": (TABLED, LATTICES),
 }

@@ -16,6 +16,7 @@ from timelaw.requirements import Requirements, resolve_requirements
 from timelaw.requirements.given_times import list_budgets
 from timelaw.route import Route, lay_route
 from timelaw.time_law import BASELINES, TimeLaw
+from timelaw.time_law.time_law import OPTIMISED_LAW
 from timelaw.tours import Tour, find_tour
 
 
@@ -72,7 +73,7 @@ def design_problem(path: Path, problem: Problem, source: Source, progress: Progr
     layout = lay_out_problem(path, problem, source, progress)
     with source.placed():
         family, solution = optimise(problem, layout.route, layout.requirements, progress)
-    time_law = TimeLaw("optimised", solution.timings, layout.requirements.dwells)
+    time_law = TimeLaw(OPTIMISED_LAW, solution.timings, layout.requirements.dwells)
     optimised = certify_time_law(layout, time_law, problem.nodes.continuity)
     given = problem.objective.total_time is not None
     budgets = list_budgets(layout.requirements, sum_durations(solution.timings) if given else None)

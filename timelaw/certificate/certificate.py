@@ -10,6 +10,7 @@ from timelaw.certificate.geometry_check import GeometryCheck, check_geometry
 from timelaw.certificate.limit_check import LimitCheck, check_limits
 from timelaw.law_file.document import to_document
 from timelaw.motion import QuaternionLaw
+from timelaw.motion.segment import RATES
 
 
 @dataclass(frozen=True)
@@ -51,7 +52,7 @@ class Certificate:
         highest = max((c.order for c in self.limits), default=0)
         if self.continuity.order >= highest - 1:
             return []
-        rate = ("omega", "alpha", "jerk")[self.continuity.order]
+        rate = RATES[self.continuity.order + 1]
         worst = max(self.continuity.nodes, key=lambda node: node.jump[rate])
         place = f"at node {worst.label}" if worst.continuity == self.continuity.order else "inside a segment"
         return [f"{rate} jumps {place}, where a limit on one of its derivatives cannot hold"]

@@ -10,7 +10,7 @@ from timelaw.pipeline import Design
 from timelaw.report.summary import LawRow, list_law_rows
 from timelaw.requirements.given_times import list_budgets
 from timelaw.requirements.route_limit import limit_route
-from timelaw.time_law.baselines import PAPER_CONTINUITY, time_quintic
+from timelaw.time_law.baselines import DOUBLE_S, PAPER_CONTINUITY, time_quintic
 
 NOTICEABLE = 1e-3  # relative; less than this above the best law is no cost worth a sentence
 
@@ -77,9 +77,9 @@ def _describe_gain(gain: Gain) -> str:
 def _describe_cost(design: Design, best: LawRow, limit: float) -> list[str]:
     """What the chosen easing costs against the best that its continuity allows, and what it gives."""
     asked = design.problem.nodes.continuity
-    double_s = next((r for r in list_law_rows(design) if r.name == "double-S"), None)
+    double_s = next((r for r in list_law_rows(design) if r.name == DOUBLE_S), None)
     known = double_s is not None and double_s.holds and double_s.continuity >= asked
-    name, least = ("double-S", double_s.duration) if double_s and known else ("physical limit", limit)
+    name, least = (DOUBLE_S, double_s.duration) if double_s and known else ("physical limit", limit)
     if best.duration <= least * (1 + NOTICEABLE):
         return []
     reach = "allows" if known else "only lets a law come near to"

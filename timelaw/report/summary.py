@@ -11,7 +11,7 @@ from timelaw.nlp import Solution
 from timelaw.objectives import EFFORTS
 from timelaw.pipeline import Certified, Design
 from timelaw.requirements.route_limit import limit_route
-from timelaw.time_law.baselines import time_quintic
+from timelaw.time_law.baselines import QUINTIC, time_quintic
 
 
 @dataclass(frozen=True)
@@ -59,7 +59,7 @@ def list_law_rows(design: Design) -> list[LawRow]:
 
 def _time_slowest(design: Design) -> float:
     """The quintic's time, as the baselines have it, or the least if it is none of them."""
-    known = next((b.law.duration for b in design.baselines if b.name == "quintic"), None)
+    known = next((b.law.duration for b in design.baselines if b.name == QUINTIC), None)
     return time_quintic(design.requirements).duration if known is None else known
 
 

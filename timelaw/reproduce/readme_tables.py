@@ -16,6 +16,8 @@ from timelaw.problem.source import read
 from timelaw.report import list_law_rows
 from timelaw.reproduce.command import run_main
 from timelaw.requirements.route_limit import limit_route
+from timelaw.time_law.baselines import DOUBLE_S, EVERY_STOP, QUINTIC
+from timelaw.time_law.time_law import OPTIMISED_LAW
 
 MARK = "reference results"
 HEADINGS = (
@@ -44,13 +46,13 @@ def format_markdown(headings: Sequence[str], rows: Sequence[Sequence[str]]) -> s
 
 def _cells(design: Design) -> list[str]:
     rows = {row.name: row for row in list_law_rows(design)}
-    best, through = rows["optimised"], rows["double-S"]
-    stopping = rows.get("double-S, every stop", through)
+    best, through = rows[OPTIMISED_LAW], rows[DOUBLE_S]
+    stopping = rows.get(EVERY_STOP, through)
     return [
         design.problem.name,
         str(len(design.route.legs)),
         str(len(design.route.legs) - len(design.requirements.runs(design.route))),
-        f"{rows['quintic'].duration:.2f}",
+        f"{rows[QUINTIC].duration:.2f}",
         f"{stopping.duration:.2f}",
         f"**{best.duration:.2f}**",
         f"{limit_route(design.route, design.requirements):.2f}",
@@ -124,10 +126,10 @@ def _tour_cells(design: Design) -> list[str]:
         str(len(design.route.legs)),
         str(design.route.straight_nodes),
         f"{np.degrees(turning):.0f}°",
-        f"{times['quintic']:.2f}",
-        f"{times.get('double-S, every stop', times['double-S']):.2f}",
-        f"{times['double-S']:.2f}",
-        f"**{times['optimised']:.2f}**",
+        f"{times[QUINTIC]:.2f}",
+        f"{times.get(EVERY_STOP, times[DOUBLE_S]):.2f}",
+        f"{times[DOUBLE_S]:.2f}",
+        f"**{times[OPTIMISED_LAW]:.2f}**",
     ]
 
 

@@ -17,6 +17,7 @@ from timelaw.route import Route
 from timelaw.time_law.time_law import TimeLaw
 
 PAPER_CONTINUITY = 2
+QUINTIC, DOUBLE_S, EVERY_STOP = "quintic", "double-S", "double-S, every stop"  # what the laws are called
 
 
 def time_quintic(requirements: Requirements, budgets: Sequence[Budget] = ()) -> TimeLaw:
@@ -28,7 +29,7 @@ def time_quintic(requirements: Requirements, budgets: Sequence[Budget] = ()) -> 
     for demand in requirements.demands:
         if demand.key() not in known:
             known[demand.key()] = _fixed(demand, smoothstep.time_leg(demand, PAPER_CONTINUITY))
-    return _on_time("quintic", [known[d.key()] for d in requirements.demands], requirements, budgets)
+    return _on_time(QUINTIC, [known[d.key()] for d in requirements.demands], requirements, budgets)
 
 
 def time_double_s(
@@ -49,7 +50,7 @@ def time_double_s(
             if len(demands) == 1:
                 known[key] = (_fixed(demands[0], known[key][0]),)
         timings += known[key]
-    return _on_time("double-S, every stop" if stop else "double-S", timings, requirements, budgets)
+    return _on_time(EVERY_STOP if stop else DOUBLE_S, timings, requirements, budgets)
 
 
 def _fixed(demand: Demand, timing: Timing) -> Timing:

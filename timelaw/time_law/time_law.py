@@ -11,6 +11,8 @@ from timelaw.easing import Timing
 from timelaw.easing.easing import Side, locate
 from timelaw.numerics.array import Array
 
+OPTIMISED_LAW = "optimised"  # what the law is called that the solver makes
+
 
 class Interval(NamedTuple):
     """A leg, by its index, or a dwell at a node, by the node's."""

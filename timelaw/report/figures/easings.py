@@ -8,9 +8,10 @@ from timelaw.easing import Easing
 from timelaw.easing.smoothstep import control_points
 from timelaw.pipeline import Design
 from timelaw.report.figures.style import MAX_LEGS, OPTIMISED, QUINTIC, describe_excerpt, render_svg
-from timelaw.time_law.baselines import PAPER_CONTINUITY
+from timelaw.time_law import baselines
+from timelaw.time_law.time_law import OPTIMISED_LAW
 
-BARS = {"quintic": (QUINTIC, 0.8), "optimised": (OPTIMISED, 0.5)}
+BARS = {baselines.QUINTIC: (QUINTIC, 0.8), OPTIMISED_LAW: (OPTIMISED, 0.5)}
 
 
 def draw_easings(design: Design) -> str:
@@ -22,8 +23,8 @@ def draw_easings(design: Design) -> str:
     tau = np.linspace(0.0, 1.0, 201)
     easings = [timing.easing for timing in design.solution.timings]
     for ax, order, title in ((axes[0], 0, "easing f(τ)"), (axes[1], 1, "its slope f′(τ)")):
-        if any(b.name == "quintic" for b in design.baselines):
-            grey = Easing.single(control_points(PAPER_CONTINUITY))
+        if any(b.name == baselines.QUINTIC for b in design.baselines):
+            grey = Easing.single(control_points(baselines.PAPER_CONTINUITY))
             ax.plot(tau, grey(tau, order), color=QUINTIC, linewidth=1.1)
         for easing in {easing.key(): easing for easing in easings}.values():
             ax.plot(tau, easing(tau, order), color=OPTIMISED, linewidth=1.2, alpha=0.75)

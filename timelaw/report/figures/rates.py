@@ -24,6 +24,7 @@ from timelaw.report.figures.style import (
     list_first,
     render_svg,
 )
+from timelaw.time_law import baselines
 
 
 def draw_rates(design: Design) -> str:
@@ -34,7 +35,7 @@ def draw_rates(design: Design) -> str:
     extra = [name for name, kind in LIMITS.items() if kind.needs_inertia and name in law.limits]
     figure = Figure(figsize=(9.4, 6.4 + 1.8 * len(extra)), layout="constrained")
     axes: Any = figure.subplots(3 + len(extra), 1, sharex=True)
-    grey = next((b.law for b in design.baselines if b.name == "quintic"), None)
+    grey = next((b.law for b in design.baselines if b.name == baselines.QUINTIC), None)
     for order, ax in zip((1, 2, 3), axes, strict=False):
         ax.set_ylabel(f"{RATE_NAMES[order]}  [{UNITS[order]}]")
         if grey is not None:

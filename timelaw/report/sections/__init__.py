@@ -1,26 +1,18 @@
 """The sections of the report, in the order of the page: each a file here and a template."""
 
-from timelaw.report.section import Section
-from timelaw.report.sections import (
-    continuity,
-    easings,
-    geometry,
-    laws,
-    limits,
-    provenance,
-    rates,
-    solved,
-    verdict,
-)
+from importlib import import_module
 
-SECTIONS: tuple[Section, ...] = (
-    verdict.SECTION,
-    laws.SECTION,
-    rates.SECTION,
-    limits.SECTION,
-    easings.SECTION,
-    continuity.SECTION,
-    solved.SECTION,
-    geometry.SECTION,
-    provenance.SECTION,
+from timelaw.report.section import Section
+
+ORDER = (
+    "verdict",
+    "laws",
+    "rates",
+    "limits",
+    "easings",
+    "continuity",
+    "solved",
+    "geometry",
+    "provenance",
 )
+SECTIONS: tuple[Section, ...] = tuple(import_module(f"{__name__}.{name}").SECTION for name in ORDER)
