@@ -5,9 +5,9 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from tests.cases import demands, random_limits
+from tests.cases import demand, demands, random_limits
 from tests.oracles import QUINTIC_PEAKS, LinearProgram, smoothstep_duration
-from timelaw.easing.family import PolynomialFamily
+from timelaw.easing.family import PolynomialFamily, SplineFamily
 from timelaw.easing.time_scaling import used_fraction
 from timelaw.least_time.double_s import double_s_time
 from timelaw.nlp import RunProblem, Status
@@ -248,3 +248,12 @@ def test_a_run_that_is_entered_moving_is_measured_by_its_own_limit():
     solution = solve_run(problem)
     assert solution.duration >= problem.run.limit
     assert problem.run.limit < RunProblem(demands((0.5,), ROBOT), PolynomialFamily(9, 2)).run.limit
+
+
+def test_an_optimum_that_equals_the_closed_form_is_not_called_a_failure():
+    """A cubic spline under torque from outside is the double-S it starts from, to the last digits."""
+    inertia = np.diag([12.0, 10.0, 8.0])
+    leg = demand(1.0, {"torque": (0.1, 0.1, 0.1), "jerk": 0.0035}, (0.0, 1.0, 0.0), inertia)
+    solution = solve_run(RunProblem((leg,), SplineFamily(3, 28, 2)))
+    assert solution.status is Status.OPTIMAL
+    assert solution.rounds >= 1

@@ -46,18 +46,22 @@ def solve_run(problem: RunProblem) -> Solution:
         solution = solve_from(program, start)
         if solution is None:
             continue
-        found.insert(0, solution)
-        if solution.status is Status.OPTIMAL:
-            found[0] = replace(solution, status=status)
-            if _plausible(program, solution, known):
-                break
+        optimal = solution.status is Status.OPTIMAL
+        found.insert(0, replace(solution, status=status) if optimal else solution)
+        if optimal and _plausible(program, solution, known):
+            return _fastest(program, found, known)
     if program.elastic and not found:
         found += _from_simpler(problem, program)
-    candidates = [solution for solution in found if _plausible(program, solution, known)]
-    candidates += [known] if program.elastic else []
-    if not candidates:
+    found += [known] if program.elastic else []
+    if not any(_plausible(program, solution, known) for solution in found):
         raise InfeasibleError(_why(program, known.timings))
-    return min(candidates, key=lambda solution: solution.duration)
+    return _fastest(program, found, known)
+
+
+def _fastest(program: Program, found: Sequence[Solution], known: Solution) -> Solution:
+    """Of the plausible solutions the fastest."""
+    plausible = [solution for solution in found if _plausible(program, solution, known)]
+    return min(plausible, key=lambda solution: solution.duration)
 
 
 def _closed_form(problem: RunProblem) -> Solution:
