@@ -8,7 +8,7 @@ import numpy as np
 from timelaw import design
 from timelaw.limits import Demand, drop_implied, list_rows, make_limits
 from timelaw.limits.body import RigidBody
-from timelaw.limits.torque import square_torque
+from timelaw.limits.torque import make_torque_row
 from timelaw.problem import parse_problem
 
 PROBLEMS = Path(__file__).parent.parent / "problems"
@@ -47,7 +47,7 @@ def demand(angle, limits, axis=AXIS, inertia=None, duration=None):
     axis = np.asarray(axis, dtype=float)
     body = None if inertia is None else RigidBody(inertia)
     rows = drop_implied(list_rows(make_limits(limits, body), axis))
-    return Demand(float(angle), rows, duration, square_torque(body, axis) if body is not None else None)
+    return Demand(float(angle), rows, duration, make_torque_row(body, axis) if body is not None else None)
 
 
 def demands(angles, limits, **others):
@@ -57,3 +57,9 @@ def demands(angles, limits, **others):
 def unit_quaternions(rng: np.random.Generator, count: int) -> np.ndarray:
     q = rng.normal(size=(count, 4))
     return q / np.linalg.norm(q, axis=1, keepdims=True)
+
+
+def control_points(basis, left, free, right):
+    """L g(0) + M x + R g(1): control points from the derivatives at both ends and the free coefficients."""
+    parts = ((basis.from_left, left), (basis.from_free, free), (basis.from_right, right))
+    return sum(matrix @ np.asarray(part, dtype=float) for matrix, part in parts)

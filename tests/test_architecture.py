@@ -33,6 +33,7 @@ HOMES = {
     "ruamel": "problem",
 }
 
+FACE = ("__version__",)  # what the package itself holds
 MOST_TO_READ = 50  # modules
 
 
@@ -45,7 +46,9 @@ def imports(path: Path):
         if isinstance(node, ast.Import):
             yield from (alias.name for alias in node.names)
         elif isinstance(node, ast.ImportFrom):
-            yield node.module or ""
+            assert not node.level, f"{path}: a relative import"
+            inner = node.module == "timelaw"  # from timelaw import tours
+            yield from (f"timelaw.{a.name}" for a in node.names) if inner else (node.module or "",)
 
 
 def part(path: Path) -> str:
@@ -60,7 +63,7 @@ def test_every_folder_stands_in_the_sentence():
 def test_imports_run_one_way(path):
     for name in imports(path):
         pieces = name.split(".")
-        if pieces[0] == "timelaw" and len(pieces) > 1:
+        if pieces[0] == "timelaw" and len(pieces) > 1 and pieces[1] not in FACE:
             assert SENTENCE.index(pieces[1]) <= SENTENCE.index(part(path)), name
             assert not {pieces[1]} & LAW_WING or part(path) not in DESIGN_WING, name
         if pieces[0] in HOMES:

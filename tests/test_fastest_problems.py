@@ -6,7 +6,7 @@ import pytest
 
 from timelaw.errors import InputError
 from timelaw.pipeline import lay_out
-from timelaw.requirements.route_limit import limit_route
+from timelaw.requirements.route_limit import find_route_limit
 
 LIMITS = "{velocity: 60 deg/s, acceleration: 120 deg/s^2, jerk: 600 deg/s^3}"
 VECTORS = "orientations: {as: rotation-vector, unit: deg, list: "
@@ -63,7 +63,7 @@ def laid_out(folder, route, more, limits, tour):
     path = folder / "p.yaml"
     path.write_text(f"timelaw: 1\nname: p\nroute: {{{route}, tour: {tour}}}\nlimits: {limits}\n{more}\n")
     layout = lay_out(path)
-    return layout, limit_route(layout.route, layout.requirements)
+    return layout, find_route_limit(layout.route, layout.requirements)
 
 
 @pytest.mark.parametrize("case", CASES)

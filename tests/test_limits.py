@@ -10,9 +10,8 @@ from timelaw.easing.family import PolynomialFamily
 from timelaw.easing.smoothstep import control_points
 from timelaw.easing.time_scaling import fit_to_limits, list_used, used_fraction
 from timelaw.least_time.phase_plane import phase_plane_time
-from timelaw.limits import LIMITS, list_rows, make_limits
+from timelaw.limits import LIMITS, Demand, list_rows, make_limits
 from timelaw.limits.body import RigidBody
-from timelaw.limits.demand import Demand
 from timelaw.nlp import RunProblem, Status
 from timelaw.nlp.single_runs import solve_run
 from timelaw.numerics.bernstein import evaluate

@@ -9,7 +9,7 @@ from scipy.spatial.transform import Rotation
 from tests.cases import reference
 from timelaw.certificate.continuity import check_continuity
 from timelaw.certificate.effort import measure_effort
-from timelaw.requirements.route_limit import limit_route
+from timelaw.requirements.route_limit import find_route_limit
 from timelaw.time_law import TimeLaw
 from timelaw.time_law.baselines import time_double_s, time_quintic
 
@@ -127,7 +127,7 @@ def test_baselines_take_their_closed_form_times(paper):
     assert time_double_s(paper.route, paper.requirements, stop=True).duration == pytest.approx(
         29.7, rel=1e-10
     )
-    assert limit_route(paper.route, paper.requirements) == pytest.approx(27.6, rel=1e-14)
+    assert find_route_limit(paper.route, paper.requirements) == pytest.approx(27.6, rel=1e-14)
 
 
 def test_without_straight_nodes_there_is_one_double_s():

@@ -9,9 +9,8 @@ import pytest
 
 from tests.cases import problem
 from timelaw.errors import InputError
-from timelaw.orientations import read_orientations
+from timelaw.orientations import OrientationSet, read_orientations
 from timelaw.orientations.lattices import LATTICES, make_lattice
-from timelaw.orientations.orientation_set import OrientationSet
 from timelaw.orientations.table import read_table
 
 PAPER = """1 0 0 0 / 0 1 0 0 / 0 0 1 0 / 0 0 0 1 / .5 .5 .5 .5 / .5 -.5 .5 .5 / .5 .5 -.5 .5 / .5 .5 .5 -.5

@@ -54,19 +54,19 @@ def least(goal, closed):
 
 
 def cost(order, goal, closed):
-    stops = [*order, order[0], order[1]] if closed else order
-    return sum(price(goal, *stops[i : i + 3]) for i in range(len(stops) - 2))
+    visits = [*order, order[0], order[1]] if closed else order
+    return sum(price(goal, *visits[i : i + 3]) for i in range(len(visits) - 2))
 
 
 @pytest.mark.parametrize("goal", GOALS)
 @pytest.mark.parametrize("closed", [False, True], ids=["open", "closed"])
 def test_the_search_ends_at_the_least_of_all_subsets(goal, closed):
-    lines, best = MinimalLegs(Q), least(goal, closed)
+    graph, best = MinimalLegs(Q), least(goal, closed)
     for chance in (False, True):
-        found = search(lines, goal, in_its_units(goal, best + 0.2), closed=closed, chance=chance)
+        found = search(graph, goal, in_its_units(goal, best + 0.2), closed=closed, chance=chance)
         assert sorted(found) == list(range(12))
         assert cost(found, goal, closed) == pytest.approx(best, abs=0.1)
-    assert search(lines, goal, in_its_units(goal, best - 0.2), closed=closed, chance=False) is None
+    assert search(graph, goal, in_its_units(goal, best - 0.2), closed=closed, chance=False) is None
 
 
 def in_its_units(goal, most):

@@ -33,8 +33,8 @@ def angles(q):
 
 
 def length(costs, order, closed):
-    stops = [*order, order[0]] if closed else list(order)
-    return sum(costs[a, b] for a, b in pairwise(stops))
+    visits = [*order, order[0]] if closed else list(order)
+    return sum(costs[a, b] for a, b in pairwise(visits))
 
 
 def allowed(order, ends):

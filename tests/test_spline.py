@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.interpolate import BSpline
 
-from tests.cases import AXIS, PROBLEMS, demand, demands, random_limits
+from tests.cases import AXIS, PROBLEMS, control_points, demand, demands, random_limits
 from timelaw import design
 from timelaw.certificate.continuity import JUMP_TOLERANCE
 from timelaw.easing import Easing
@@ -28,7 +28,7 @@ def test_the_basis_is_that_of_b_splines(degree, continuity):
     basis = SplineBasis(degree, tuple(breaks), continuity)
     left, right = rng.normal(size=(2, continuity + 1))
     easing = Easing(
-        breaks, tuple(basis.control(left, rng.normal(size=basis.free), right).reshape(-1, degree + 1))
+        breaks, tuple(control_points(basis, left, rng.normal(size=basis.free), right).reshape(-1, degree + 1))
     )
     for k in range(continuity + 1):
         assert easing(0.0, k) == pytest.approx(left[k], rel=1e-6, abs=1e-6)

@@ -15,7 +15,7 @@ from timelaw.orientations import OrientationSet, read_orientations
 from timelaw.orientations.lattices import make_lattice
 from timelaw.reproduce.tour_counts import count_by_straight_nodes, count_cycles, count_paths, main
 from timelaw.requirements import resolve_requirements
-from timelaw.requirements.route_limit import limit_route
+from timelaw.requirements.route_limit import find_route_limit
 from timelaw.route import lay_route
 from timelaw.tours import find_tour
 from timelaw.tours.graph.minimal_legs import MinimalLegs
@@ -34,8 +34,8 @@ CASES = [
 
 def turns(order, q, closed):
     """By SciPy's rotations: angles [deg] of the legs, and between their axes at the inner nodes."""
-    stops = [*order, order[0]] if closed else list(order)
-    rotations = Rotation.from_quat(q[stops], scalar_first=True)
+    visits = [*order, order[0]] if closed else list(order)
+    rotations = Rotation.from_quat(q[visits], scalar_first=True)
     vectors = (rotations[:-1].inv() * rotations[1:]).as_rotvec(degrees=True)
     angles = np.linalg.norm(vectors, axis=1)
     cosines = np.sum(vectors[:-1] * vectors[1:], axis=1) / angles[:-1] / angles[1:]
@@ -193,7 +193,7 @@ def test_the_fewest_stops_save_what_they_should():
         made = problem(f"route: {{orientations: {{lattice: {name}}}, tour: fewest-stops}}")
         points = read_orientations(made.route.orientations, Path())
         way = lay_route(points, find_tour(made, points))
-        assert limit_route(way, resolve_requirements(made, way)) == pytest.approx(total, rel=1e-12)
+        assert find_route_limit(way, resolve_requirements(made, way)) == pytest.approx(total, rel=1e-12)
 
 
 @pytest.mark.parametrize(
@@ -205,9 +205,9 @@ def test_the_fewest_stops_save_what_they_should():
     ],
 )
 def test_what_is_no_such_tour_is_refused(change, message):
-    lines = MinimalLegs(make_lattice("600-cell"))
+    graph = MinimalLegs(make_lattice("600-cell"))
     with pytest.raises(ValueError, match=message):
-        check_minimal(change(SHIPPED["600-cell"]["open"]["fewest-stops"][0]), lines, closed=False)
+        check_minimal(change(SHIPPED["600-cell"]["open"]["fewest-stops"][0]), graph, closed=False)
 
 
 CROSS = "orientations: {list: [[1,0,0,0], [0.96,0.28,0,0], [0.8,0.6,0,0], [0,0,1,0]]}"
@@ -247,8 +247,8 @@ def test_sets_without_a_tour_by_minimal_legs(spec, message):
 
 def test_counts_of_the_24_cell():
     """SOURCES: 4 848 and 86 784 by table 1; 1 257 984 per node and 15 095 808 on SO(3); 384 with five straight."""
-    lines = MinimalLegs(make_lattice("24-cell"))
-    near = lines.neighbours
+    graph = MinimalLegs(make_lattice("24-cell"))
+    near = graph.neighbours
     assert count_paths(near, 0) == 1_257_984
     assert 12 * count_paths(near, 5) == 15_095_808
     table = [
@@ -257,11 +257,11 @@ def test_counts_of_the_24_cell():
     ]
     assert count_paths(table, 0) == 4_848
     assert sum(count_paths(table, i) for i in range(12)) == 86_784
-    straight = count_by_straight_nodes(lines, 0, closed=False)
+    straight = count_by_straight_nodes(graph, 0, closed=False)
     assert straight[5] == 384
     assert sum(straight.values()) == 1_257_984
     # of the 96 closed ones with six, node 1 is a corner of half, and straight in the others
-    closed = count_by_straight_nodes(lines, 0, closed=True)
+    closed = count_by_straight_nodes(graph, 0, closed=True)
     assert closed[6] == 48
     assert sum(closed.values()) == count_cycles(near, 0)
 

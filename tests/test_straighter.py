@@ -99,12 +99,12 @@ def small_sets():
         yield q[chosen]
 
 
-def corners_of(order, near, lines, closed):
+def corners_of(order, near, graph, closed):
     """Corners of an order, if all legs are minimal."""
-    stops = (*order, order[0]) if closed else order
-    if not all(near[a][b] for a, b in pairwise(stops)):
+    visits = (*order, order[0]) if closed else order
+    if not all(near[a][b] for a, b in pairwise(visits)):
         return np.inf
-    return len(stops) - 2 - lines.straight(stops)
+    return len(visits) - 2 - graph.straight(visits)
 
 
 @pytest.mark.parametrize("ends", [Ends(), Ends(False, 2), Ends(True)], ids=str)
@@ -112,18 +112,18 @@ def test_beside_all_orders_of_small_sets(ends):
     """The bound by counting holds, and the search finds the least there is."""
     compared = 0
     for q in small_sets():
-        lines = MinimalLegs(q)
+        graph = MinimalLegs(q)
         near = (np.abs(q @ q.T) > 0.8).tolist()
         orders = [
             o for o in permutations(range(9)) if ends.start in (None, o[0]) and not (ends.closed and o[0])
         ]
-        best = min((corners_of(o, near, lines, ends.closed) for o in orders), default=np.inf)
-        order = descend(lines, ends, count_corner, 0.0)
+        best = min((corners_of(o, near, graph, ends.closed) for o in orders), default=np.inf)
+        order = descend(graph, ends, count_corner, 0.0)
         if best == np.inf:
             assert order is None
             continue
         corners = judged(order, q, ends.closed)[0]
-        assert len(q) - 2 + ends.closed - lines.counting_bound(ends.closed) <= best
+        assert len(q) - 2 + ends.closed - graph.counting_bound(ends.closed) <= best
         assert corners == best
         compared += 1
     assert compared > 3

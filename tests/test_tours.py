@@ -21,8 +21,8 @@ def make(route: str):
     return find_tour(spec, points), points.quaternions
 
 
-def leg_angles(stops, q):
-    return [degrees(2 * acos(min(1.0, abs(float(q[a] @ q[b]))))) for a, b in pairwise(stops)]
+def leg_angles(visits, q):
+    return [degrees(2 * acos(min(1.0, abs(float(q[a] @ q[b]))))) for a, b in pairwise(visits)]
 
 
 @pytest.mark.parametrize("closed", ["false", "true"])

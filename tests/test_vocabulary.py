@@ -1,10 +1,16 @@
 """Where a list of names stands twice, a Literal in a model and a registry that answers to it, they agree."""
 
+from pathlib import Path
 from typing import get_args
 
 import pytest
 
+import timelaw
+from tests.cases import PROBLEMS
+from timelaw.cli.design import list_files
 from timelaw.easing.registry import BASES
+from timelaw.export.registry import EXPORTERS
+from timelaw.files import write_file
 from timelaw.law_file.schema import RatesDocument
 from timelaw.limits import LIMITS
 from timelaw.limits.torque import ACTUATORS, TORQUE_FORMULAS
@@ -13,15 +19,21 @@ from timelaw.motion.segment import RATES
 from timelaw.objectives import EFFORTS, OBJECTIVES
 from timelaw.orientations.forms import FORMS
 from timelaw.orientations.lattices import LATTICES
+from timelaw.problem import Problem
 from timelaw.problem.body import Body
 from timelaw.problem.limits import Limits
 from timelaw.problem.nodes import Nodes
 from timelaw.problem.objective import Goal
-from timelaw.problem.problem import Baseline, EasingModel, Problem
+from timelaw.problem.problem import Baseline, EasingModel
 from timelaw.problem.route import NEEDS, SEARCHED, FormName, LatticeName, TourName
+from timelaw.report.sections import SECTIONS
+from timelaw.report.tour_text import ANGLES, WORDS
 from timelaw.reproduce.readme_tables import TOURS as TABLED
 from timelaw.study.study import StudyModel
 from timelaw.time_law import BASELINES
+from timelaw.tours.fastest import TIME
+from timelaw.tours.merit import LENGTH
+from timelaw.tours.straightest import TURNING
 from timelaw.tours.tour import TOURS
 
 
@@ -44,7 +56,6 @@ PAIRS = {
     "keys of easings": ({"basis", *(k for b in BASES.values() for k in b.keys)}, EasingModel.model_fields),
     "actuators": (choices(Body, "actuator"), ACTUATORS),
     "formulas of the actuators": (TORQUE_FORMULAS, ACTUATORS),
-    "kinds of segments": ([kind.kind for kind in KINDS.values()], KINDS),
     "kinds in the law file": (
         [get_args(kind.document_model.model_fields["kind"].annotation)[0] for kind in KINDS.values()],
         KINDS,
@@ -67,10 +78,29 @@ def test_every_default_of_the_problem_is_a_name_of_its_registry():
     assert EasingModel().basis in BASES
 
 
+def test_every_merit_of_a_tour_has_words():
+    assert set(WORDS) == {LENGTH, TURNING, TIME}
+    assert set(ANGLES) < set(WORDS)
+
+
+def test_every_section_of_the_report_has_its_template_and_every_template_a_section():
+    folder = Path(timelaw.__file__).parent / "report" / "templates" / "sections"
+    assert {section.template for section in SECTIONS} == {path.name for path in folder.iterdir()}
+
+
+@pytest.mark.parametrize("name", EXPORTERS)
+def test_every_format_writes_a_law_that_designs_write_too_if_it_is_usual(name, paper, tmp_path):
+    exporter = EXPORTERS[name]
+    content = exporter.write(paper.optimised.law, 10.0)
+    assert len(content) > 1000
+    write_file(tmp_path / exporter.file_name, content)
+    assert (tmp_path / exporter.file_name).stat().st_size >= len(content)
+    assert (exporter.file_name in list_files(paper, PROBLEMS / "paper-24-cell.yaml")) == exporter.usual
+
+
 @pytest.mark.parametrize("name", OBJECTIVES)
 def test_every_objective_says_what_it_is(name):
     objective = OBJECTIVES[name]
-    assert objective.name == name
     assert set(objective.takes) <= set(Goal.model_fields)
     assert 1 <= objective.continuity <= max(RATES)
     assert objective.separable == (not objective.takes)

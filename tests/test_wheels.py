@@ -14,7 +14,7 @@ from timelaw.certificate import certify
 from timelaw.certificate.record import compare_with_record
 from timelaw.errors import InputError
 from timelaw.export import format_law
-from timelaw.law_file import from_document
+from timelaw.law_file.document import from_document
 from timelaw.limits import list_rows, make_limits
 from timelaw.limits.body import RigidBody
 

@@ -100,11 +100,11 @@ def lay_out(path: str | Path, progress: Progress | None = None) -> Layout:
 def lay_out_problem(path: Path, problem: Problem, source: Source, progress: Progress | None = None) -> Layout:
     """The orientations, the tour through them, the route it fixes, and what is required on that."""
     with source.placed():
-        points = read_orientations(problem.route.orientations, path.parent)
-        order = find_tour(problem, points, progress)
-        way = lay_route(points, order)
-        requirements = resolve_requirements(problem, way)
-    return Layout(path, problem, source, points, order, way, requirements)
+        orientations = read_orientations(problem.route.orientations, path.parent)
+        tour = find_tour(problem, orientations, progress)
+        route = lay_route(orientations, tour)
+        requirements = resolve_requirements(problem, route)
+    return Layout(path, problem, source, orientations, tour, route, requirements)
 
 
 def certify_time_law(layout: Layout, time_law: TimeLaw, continuity: int = 0) -> Certified:

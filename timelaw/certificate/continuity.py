@@ -9,7 +9,7 @@ import numpy as np
 from timelaw.motion import QuaternionLaw, Segment
 from timelaw.motion.segment import RATES
 from timelaw.numerics.array import Array
-from timelaw.numerics.extrema import enclose_peaks
+from timelaw.numerics.function import enclose_peaks
 from timelaw.numerics.turn import SAME_AXIS, angle_between_axes
 
 JUMP_TOLERANCE = 1e-5  # of the rate's largest value in the segments that meet; short pieces resolve no better
@@ -18,11 +18,12 @@ SMOOTH = dict.fromkeys(RATES, 0.0)  # no jump at all
 
 @dataclass(frozen=True)
 class NodeReport:
-    """ω, α, jerk (3,) in body axes just before and after a node, their jumps, and the class C^k.
+    """ω, α, jerk, snap (3,) in body axes just before and after a node, their jumps, and the class C^k.
 
     Before the first and after the last node the body has the rates that the law says, at rest
     unless it says so. A dwell has two nodes of its label, its beginning and its end.
-    `continuity` k: orientation and its first k rates (1: ω, 2: ω and α, 3: jerk too) are continuous.
+    `continuity` k: orientation and its first k rates (1: ω, 2: ω and α, 3: jerk, 4: snap too) are
+    continuous.
     """
 
     label: str
@@ -112,9 +113,11 @@ def _kind(last: Segment | None, following: Segment | None) -> tuple[str, float]:
     """What a node is, and by how much the axis turns there."""
     if last is None or following is None:
         return ("start" if last is None else "end"), 0.0
+    if not (last.moves and following.moves):
+        return "dwell", 0.0
     axes = last.axis_at(-1), following.axis_at(0)
     if axes[0] is None or axes[1] is None:
-        return "dwell", 0.0
+        return "passed", 0.0
     turn = angle_between_axes(axes[0], axes[1])
     return ("straight" if turn <= SAME_AXIS else "corner"), turn
 

@@ -6,7 +6,6 @@ import numpy as np
 
 from timelaw.certificate.continuity import Continuity
 from timelaw.motion import QuaternionLaw
-from timelaw.numerics.bernstein import integrate_square
 
 
 def measure_effort(law: QuaternionLaw, continuity: Continuity, order: int) -> float:
@@ -17,7 +16,7 @@ def measure_effort(law: QuaternionLaw, continuity: Continuity, order: int) -> fl
     if continuity.order < order - 1:
         return inf
     return sum(
-        integrate_square(rate.control) * float(width) * segment.duration
+        rate.integrate_square() * float(width) * segment.duration
         for segment in law.segments
         for rate, width in zip(segment.rates(order), np.diff(segment.breaks), strict=True)
     )

@@ -7,7 +7,7 @@ import numpy as np
 
 from timelaw.motion import QuaternionLaw, Segment
 from timelaw.motion.segment import Quantity
-from timelaw.numerics.extrema import enclose_peaks
+from timelaw.numerics.function import enclose_peaks
 
 ROUNDING = 1 + 2e-15  # of the last few operations, the root among them
 
@@ -51,8 +51,7 @@ def check_limits(law: QuaternionLaw) -> tuple[LimitCheck, ...]:
     """Every limit that the law carries, axis by axis where it is given so, general ones first."""
     groups: dict[str, list[tuple[Segment, Quantity]]] = defaultdict(list)
     for segment in law.segments:
-        for quantity, own in law.quantities(segment):
-            label = f"{quantity.row.label} on {own}" if own else quantity.row.label
+        for label, quantity in law.quantities(segment):
             groups[label].append((segment, quantity))
     names = sorted(groups, key=lambda label: " on " in label)
     return tuple(_check(name, groups[name]) for name in names)

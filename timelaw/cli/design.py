@@ -8,7 +8,7 @@ from typing import Any
 from timelaw.cli.console import RESULTS, print_json, print_limits, print_table, say, show_progress
 from timelaw.errors import EXIT_DONE, EXIT_FINDINGS
 from timelaw.export import format_law
-from timelaw.export.exporter import EXPORTERS
+from timelaw.export.registry import EXPORTERS
 from timelaw.files import write_file
 from timelaw.pipeline import Design, design
 from timelaw.report import LawRow, list_law_rows, render_report
@@ -22,7 +22,7 @@ def run(problem: str, output: str | None, *, as_json: bool) -> int:
         done = design(path, report)
         folder = Path(output) if output is not None else RESULTS / done.problem.name
         with done.source.placed():
-            files = _files(done, path)
+            files = list_files(done, path)
         for name, content in files.items():
             write_file(folder / name, content)
     rows = list_law_rows(done)
@@ -55,7 +55,7 @@ def _objective(done: Design) -> dict[str, Any]:
     return {"objective": {"minimise": gain.objective.name, **found, "gained": gain.part}}
 
 
-def _files(done: Design, path: Path) -> dict[str, str | bytes]:
+def list_files(done: Design, path: Path) -> dict[str, str | bytes]:
     """Contents by file name; the law file comes first."""
     digest = "sha256:" + hashlib.sha256(done.source.text.encode("utf-8", "replace")).hexdigest()
     provenance: dict[str, Any] = {
@@ -66,10 +66,11 @@ def _files(done: Design, path: Path) -> dict[str, str | bytes]:
             for s in done.solution.solutions
         ],
     }
-    law, samples = done.optimised.law, EXPORTERS["csv"]
+    law, rate = done.optimised.law, done.problem.output.rate
+    usual = [exporter for exporter in EXPORTERS.values() if exporter.usual]
     return {
         "law.json": format_law(law, done.optimised.certificate, provenance),
-        samples.file_name: samples.write(law, done.problem.output.rate),
+        **{exporter.file_name: exporter.write(law, rate) for exporter in usual},
         **render_report(done, digest),
     }
 
@@ -92,7 +93,7 @@ def _print(done: Design, rows: list[LawRow], folder: Path) -> None:
     print_limits(done.optimised.certificate, degrees=done.source.speaks_degrees)
     for finding in done.optimised.certificate.findings():
         say(f"finding: {finding}")
-    for sentence in describe_outcome(done):
+    for sentence in describe_outcome(done, rows):
         say(sentence)
     for status in sorted({s.status.value for s in done.solution.solutions}):
         say(f"{done.family.label}: {status}")

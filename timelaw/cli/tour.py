@@ -12,7 +12,7 @@ from timelaw.export.orientations_csv import format_orientations
 from timelaw.files import write_text
 from timelaw.pipeline import Layout, lay_out
 from timelaw.report.tour_text import describe_merits, list_merit_data, list_notes, measure_arcs
-from timelaw.requirements.route_limit import limit_route
+from timelaw.requirements.route_limit import find_route_limit
 from timelaw.tours import sharpen
 from timelaw.tours.straightest import STRAIGHT
 
@@ -67,8 +67,8 @@ def _summary(layout: Layout) -> dict[str, Any]:
         "certificate": "; ".join(describe_merits(layout.tour)),
         "merits": [list_merit_data(merit) for merit in layout.tour.merits],
         "notes": list_notes(layout.orientations),
-        "time_over_runs": limit_route(route, requirements),
-        "time_with_every_stop": limit_route(route, requirements, stop=True),
+        "time_over_runs": find_route_limit(route, requirements),
+        "time_with_every_stop": find_route_limit(route, requirements, stop=True),
     }
 
 

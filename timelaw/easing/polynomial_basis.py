@@ -68,11 +68,6 @@ class PolynomialBasis:
         below = np.zeros((self.degree + 1 - len(block), block.shape[1]))
         return np.concatenate([block, below])
 
-    def control(self, left: ArrayLike, free: ArrayLike, right: ArrayLike) -> Array:
-        """Control points (d+1,) from the derivatives at both ends (r+1,) and the free ones."""
-        parts = ((self.from_left, left), (self.from_free, free), (self.from_right, right))
-        return np.array(sum(matrix @ np.asarray(part, dtype=float) for matrix, part in parts))
-
     def easing(self, control: ArrayLike) -> Easing:
         """The easing with these control points; its ends are exactly 0 and 1."""
         exact = np.array(control, dtype=float)

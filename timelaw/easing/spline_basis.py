@@ -88,11 +88,6 @@ class SplineBasis:
         ]
         return np.array(self._inner / np.max(effects, axis=0))
 
-    def control(self, left: ArrayLike, free: ArrayLike, right: ArrayLike) -> Array:
-        """Stacked control points from the derivatives at both ends (r+1,) and the free coefficients."""
-        parts = ((self.from_left, left), (self.from_free, free), (self.from_right, right))
-        return np.array(sum(matrix @ np.asarray(part, dtype=float) for matrix, part in parts))
-
     def easing(self, control: ArrayLike) -> Easing:
         """The easing with these control points, from exactly 0 to 1, its intervals joined exactly."""
         pieces = np.array(control, dtype=float).reshape(-1, self.degree + 1)

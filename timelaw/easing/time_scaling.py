@@ -8,7 +8,7 @@ from timelaw.easing.timing import Timing
 from timelaw.errors import InfeasibleError
 from timelaw.limits import Demand, Row
 from timelaw.limits.polynomials import expand_rows
-from timelaw.numerics.extrema import enclose_peaks
+from timelaw.numerics.function import enclose_peaks
 
 CLEARANCE = 1e-12  # relative: covers the rounding of the stretched durations themselves
 REPETITIONS = 8

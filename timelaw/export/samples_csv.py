@@ -6,6 +6,7 @@ from math import floor
 import numpy as np
 
 from timelaw.errors import Fault, InputError
+from timelaw.export.exporter import Exporter
 from timelaw.motion import QuaternionLaw
 
 COLUMNS = "t,qw,qx,qy,qz,wx,wy,wz,ax,ay,az,jx,jy,jz"
@@ -37,3 +38,6 @@ def format_samples(law: QuaternionLaw, rate: float) -> str:
     text.write(HEADER.format(name=law.name, step=f"{1 / rate:.9g}"))
     np.savetxt(text, table, fmt="%.15g", delimiter=",", header=COLUMNS, comments="")
     return text.getvalue()
+
+
+CSV = Exporter("samples.csv", format_samples, usual=True)

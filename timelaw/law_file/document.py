@@ -11,7 +11,7 @@ from timelaw.law_file.schema import BodyDocument, LawDocument
 from timelaw.limits import LIMITS
 from timelaw.limits.body import EXTERNAL, RigidBody
 from timelaw.limits.bounds import read_bounds, write_bounds
-from timelaw.limits.momentum import find_contradiction
+from timelaw.limits.registry import POINT
 from timelaw.motion import QuaternionLaw
 from timelaw.motion.kinds import KINDS
 from timelaw.motion.segment import RATES
@@ -93,7 +93,7 @@ def _check_limits(limits: Mapping[str, Any], body: RigidBody | None, path: str) 
             raise InputError(Fault(f'unknown limit "{name}"; known: {", ".join(LIMITS)}', "limits", path))
         if LIMITS[name].needs_inertia and body is None:
             raise InputError(Fault(f'a limit on the {name} needs "body": {{"inertia": …}}', "limits", path))
-        reason = find_contradiction(name, bounds, body)
+        reason = LIMITS[name].contradiction(bounds, body or POINT)
         if reason:
             raise InputError(Fault(reason, f"limits.{name}", path))
 

@@ -17,14 +17,17 @@ def run_limit(demands: Sequence[Demand], *, moving: bool = False) -> float:
     The double-S profile in closed form under the plain rates, a bound that counts the snap where that is
     limited, and the phase plane under torque;
     where legs of the run differ in their limits, the loosest of each counts for all, and the time at each
-    leg's own velocity limit if that is longer. Fixed durations count as they are given. A run that is
+    leg's own velocity limit, or the duration it is given, if that is longer. A run that is
     entered or left `moving` has the velocity limit alone for a bound.
     """
-    at_speed = sum(demand.angle / rate_bounds(demand.rows)[0] for demand in demands)
+    at_speed = sum(
+        demand.angle / rate_bounds(demand.rows)[0] if demand.duration is None else demand.duration
+        for demand in demands
+    )
     if moving:
         return at_speed
     if all(demand.duration is not None for demand in demands):
-        return sum(demand.duration or 0.0 for demand in demands)
+        return at_speed
     angle = sum(demand.angle for demand in demands)
     loosest = [max(bounds) for bounds in zip(*(rate_bounds(d.rows) for d in demands), strict=True)]
     least = _least_time(angle, loosest) if min(loosest) < inf else 0.0

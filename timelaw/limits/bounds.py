@@ -23,7 +23,7 @@ def bound_vector(name: str, vector: Vector, bounds: Bounds) -> list[Formula]:
     ]
 
 
-def row_labels(name: str, vector: Array, bounds: Bounds) -> Iterator[tuple[str, float, float]]:
+def split_by_axis(name: str, vector: Array, bounds: Bounds) -> Iterator[tuple[str, float, float]]:
     """(label, factor, bound) of rows that limit a constant vector (3,) times a rate: its norm, or by axis."""
     if not isinstance(bounds, tuple):
         yield name, float(np.linalg.norm(vector)), bounds

@@ -40,6 +40,7 @@ class LimitKind:
     `quantity` is its unit, `make` the limit from bounds and the body, whose inertia it needs or not.
     Continuity of class C^`continuity` is the least under which it can hold: where a rate jumps, the
     next one is unbounded. One that is not `sufficient` bounds no motion by itself.
+    `contradiction` says why a body can hold bounds at no time at all; empty if it can.
     """
 
     quantity: Kind
@@ -47,3 +48,4 @@ class LimitKind:
     needs_inertia: bool = False
     continuity: int = 1
     sufficient: bool = True
+    contradiction: Callable[[Bounds, RigidBody], str] = lambda _, __: ""

@@ -2,12 +2,11 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
 from timelaw.limits.body import RigidBody
-from timelaw.limits.bounds import Bounds, bound_vector, least_quotient, lessen, row_labels
+from timelaw.limits.bounds import Bounds, bound_vector, least_quotient, lessen, split_by_axis
 from timelaw.limits.formula import Formula, Rates, Vector, apply, subtract
 from timelaw.limits.row import RateRow
 from timelaw.numerics.array import Array
@@ -45,7 +44,7 @@ class Momentum:
         left = lessen(self.bounds, total)
         return [
             RateRow(self.name, label, UNIT, 1, factor, bound, total, note)
-            for label, factor, bound in row_labels(self.name, self.body.inertia @ axis, left)
+            for label, factor, bound in split_by_axis(self.name, self.body.inertia @ axis, left)
         ]
 
     def bound_rates(self, axes: Array) -> dict[int, Array]:
@@ -53,10 +52,9 @@ class Momentum:
         return {1: least_quotient(lessen(self.bounds, self.body.total_momentum), axes @ self.body.inertia.T)}
 
 
-def find_contradiction(name: str, bounds: Any, body: RigidBody | None) -> str:
-    """Why a limit on the momentum can hold at no time at all; empty if it can."""
-    total = body.total_momentum if body is not None else 0.0
-    if name != "momentum" or total < np.min(bounds):
+def find_contradiction(bounds: Bounds, body: RigidBody) -> str:
+    """Why a limit on the stored momentum can hold at no time at all; empty if it can."""
+    total, given = body.total_momentum, float(np.min(bounds))
+    if total < given:
         return ""
-    given = float(np.min(bounds))
     return f"the total momentum |H| is {total:.6g} N*m*s; a limit above it is needed, not {given:.6g} N*m*s"

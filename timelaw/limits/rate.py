@@ -6,7 +6,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from timelaw.limits.bounds import Bounds, bound_vector, least_quotient, row_labels
+from timelaw.limits.bounds import Bounds, bound_vector, least_quotient, split_by_axis
 from timelaw.limits.formula import Formula, Rates, Vector
 from timelaw.limits.row import RateRow
 from timelaw.numerics.array import Array
@@ -35,7 +35,7 @@ class Rate:
         """Rows on a leg about `axis` (3,)."""
         return [
             RateRow(self.name, label, UNITS[self.order], self.order, factor, bound)
-            for label, factor, bound in row_labels(self.name, axis, self.bounds)
+            for label, factor, bound in split_by_axis(self.name, axis, self.bounds)
         ]
 
     def bound_rates(self, axes: Array) -> dict[int, Array]:

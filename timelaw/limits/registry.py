@@ -7,7 +7,7 @@ import numpy as np
 from timelaw.limits.body import RigidBody
 from timelaw.limits.bounds import Bounds
 from timelaw.limits.limit import Limit, LimitKind
-from timelaw.limits.momentum import Momentum
+from timelaw.limits.momentum import Momentum, find_contradiction
 from timelaw.limits.rate import Rate
 from timelaw.limits.row import Row
 from timelaw.limits.torque import ACTUATORS
@@ -27,7 +27,10 @@ LIMITS: dict[str, LimitKind] = {
         needs_inertia=True,
     ),
     "momentum": LimitKind(
-        MOMENTUM, lambda bounds, body: Momentum("momentum", bounds, body), needs_inertia=True
+        MOMENTUM,
+        lambda bounds, body: Momentum("momentum", bounds, body),
+        needs_inertia=True,
+        contradiction=find_contradiction,
     ),
 }
 POINT = RigidBody(np.eye(3))  # for limits that ask for no body

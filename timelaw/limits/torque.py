@@ -7,7 +7,7 @@ from typing import ClassVar
 import numpy as np
 
 from timelaw.limits.body import EXTERNAL, WHEELS, RigidBody
-from timelaw.limits.bounds import AXES, Bounds, bound_vector, least_quotient, row_labels
+from timelaw.limits.bounds import AXES, Bounds, bound_vector, least_quotient, split_by_axis
 from timelaw.limits.coupled_row import DriftRow, TorqueNormRow, TorqueRow
 from timelaw.limits.formula import Formula, Rates, Vector, add, apply, cross
 from timelaw.limits.limit import Limit
@@ -20,7 +20,7 @@ NOTE = (
 )
 
 
-def square_torque(body: RigidBody, axis: Array, bound: float = 1.0) -> TorqueNormRow | None:
+def make_torque_row(body: RigidBody, axis: Array, bound: float = 1.0) -> TorqueNormRow | None:
     """|τ|² ≤ bound² on a leg about `axis` (3,); None where it is no polynomial in the rates.
 
     From outside τ = J n φ'' + (n × J n) φ'². Wheels without total momentum do without the second term.
@@ -54,7 +54,7 @@ class ExternalTorque:
     def on(self, axis: Array) -> Sequence[Row]:
         """Rows on a leg about `axis` (3,)."""
         if not isinstance(self.bounds, tuple):
-            row = square_torque(self.body, axis, self.bounds)
+            row = make_torque_row(self.body, axis, self.bounds)
             return [] if row is None else [row]
         linear = self.body.inertia @ axis
         gyroscopic = np.cross(axis, linear)
@@ -92,7 +92,7 @@ class WheelTorque:
 
     def on(self, axis: Array) -> Sequence[Row]:
         """Rows on a leg about `axis` (3,)."""
-        factors = list(row_labels(self.name, self.body.inertia @ axis, self.bounds))
+        factors = list(split_by_axis(self.name, self.body.inertia @ axis, self.bounds))
         total = self.body.total_momentum
         if not total:
             return [RateRow(self.name, label, UNIT, 2, a, bound) for label, a, bound in factors]

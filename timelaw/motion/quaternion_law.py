@@ -79,8 +79,8 @@ class QuaternionLaw:
         """The segments that move the body, in order."""
         return tuple(segment for segment in self.segments if segment.moves)
 
-    def quantities(self, segment: Segment) -> Iterator[tuple[Quantity, str]]:
-        """What is limited on a segment; with the segment's name where the limit is of that segment alone."""
-        for limits, own in ((self.limits, ""), (segment.limits, segment.name)):
+    def quantities(self, segment: Segment) -> Iterator[tuple[str, Quantity]]:
+        """What is limited on a segment, each with a label that names a limit of that segment alone so."""
+        for limits, place in ((self.limits, ""), (segment.limits, f" on {segment.name}")):
             for quantity in segment.quantities(make_limits(limits, self.body)):
-                yield quantity, own
+                yield quantity.row.label + place, quantity

@@ -8,7 +8,7 @@ from timelaw.easing.easing import Side
 from timelaw.limits import Bounds, Limit, Row
 from timelaw.motion.schema import Part
 from timelaw.numerics.array import Array
-from timelaw.numerics.polynomial import Polynomial
+from timelaw.numerics.function import Function
 
 RATES = {1: "omega", 2: "alpha", 3: "jerk", 4: "snap"}
 MAX_ORDER = max(RATES)  # q, ω, α, jerk and snap are what a law is evaluated for
@@ -20,7 +20,7 @@ class Quantity:
     """What a row limits on one piece of a segment: |value| ≤ row.bound for τ from `start` to `end`."""
 
     row: Row
-    value: Polynomial
+    value: Function
     start: float
     end: float
 
@@ -112,8 +112,8 @@ class Segment(Protocol):
         """At each break inside, by order, the size of the jump of each rate."""
         ...
 
-    def rates(self, order: int) -> Sequence[Polynomial]:
-        """On each piece a polynomial whose size is that of the k-th rate."""
+    def rates(self, order: int) -> Sequence[Function]:
+        """On each piece a function whose size is that of the k-th rate."""
         ...
 
     def quantities(self, limits: Sequence[Limit]) -> Iterator[Quantity]:

@@ -84,8 +84,8 @@ def _starts(problem: RunProblem) -> Iterator[tuple[Status, Sequence[Timing]]]:
     inside the limits.
     """
     yield Status.OPTIMAL, problem.family.start(problem.demands)
-    stops = [smoothstep.time_leg(demand, problem.family.continuity) for demand in problem.demands]
-    yield Status.SECOND_START, [timing.stretched(2.0) for timing in stops]
+    slow = [smoothstep.time_leg(demand, problem.family.continuity) for demand in problem.demands]
+    yield Status.SECOND_START, [timing.stretched(2.0) for timing in slow]
 
 
 def _from_simpler(problem: RunProblem, program: Program) -> list[Solution]:

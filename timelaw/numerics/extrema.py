@@ -8,7 +8,6 @@ halving is a rounded mean of control points, so each piece carries a bound on it
 from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Protocol, Self
 
 import numpy as np
 
@@ -28,26 +27,6 @@ class Peak:
     lower: float
     upper: float
     at: float
-
-
-class Bounded(Protocol):
-    """A function on [0, 1] of a form that knows how to enclose the peaks of many at once."""
-
-    @classmethod
-    def enclose_all(cls, functions: Sequence[Self]) -> list[Peak]:
-        """Max |f| of each, with its own rounding in the upper bound."""
-        ...
-
-
-def enclose_peaks(functions: Sequence[Bounded]) -> list[Peak]:
-    """Enclose max |f| of each function, those of one form together; in the given order."""
-    by_form: dict[type[Bounded], list[int]] = defaultdict(list)
-    for index, function in enumerate(functions):
-        by_form[type(function)].append(index)
-    found: dict[int, Peak] = {}
-    for form, indices in by_form.items():
-        found.update(zip(indices, form.enclose_all([functions[i] for i in indices]), strict=True))
-    return [found[i] for i in range(len(functions))]
 
 
 def enclose_polynomials(polynomials: Sequence[Array]) -> list[Peak]:

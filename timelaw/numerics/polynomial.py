@@ -7,7 +7,7 @@ from math import comb
 import numpy as np
 
 from timelaw.numerics.array import Array
-from timelaw.numerics.bernstein import UNIT_ROUNDOFF, elevate
+from timelaw.numerics.bernstein import UNIT_ROUNDOFF, elevate, evaluate, integrate_square
 from timelaw.numerics.extrema import Peak, enclose_polynomials
 
 SCALAR_ROUNDING = 16 * UNIT_ROUNDOFF  # scalars are powers and quotients, themselves rounded a few times
@@ -58,6 +58,14 @@ class Polynomial:
 
     __radd__ = __add__
     __rmul__ = __mul__
+
+    def __call__(self, u: Array) -> Array:
+        """Values at u (m,)."""
+        return evaluate(self.control, u)
+
+    def integrate_square(self) -> float:
+        """∫ p² du over [0, 1]."""
+        return integrate_square(self.control)
 
     @classmethod
     def enclose_all(cls, functions: Sequence["Polynomial"]) -> list[Peak]:

@@ -37,7 +37,7 @@ def make_rotation_group(name: str) -> Array:
     return np.asarray(Rotation.create_group(cast(Any, group)).as_quat(scalar_first=True))
 
 
-def find_firsts(quaternions: Array, tolerance: float, group: Array | None = None) -> list[int]:
+def find_equivalents(quaternions: Array, tolerance: float, group: Array | None = None) -> list[int]:
     """For each orientation of (N, 4) the first of those kept that it is the same as, itself if none is.
 
     q_i and q_j are the same if some s of the group turns q_j ⊗ s to within `tolerance` [rad] of ±q_i. An

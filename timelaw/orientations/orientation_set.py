@@ -9,7 +9,7 @@ from timelaw.errors import Fault, InputError, list_some
 from timelaw.numerics.array import Array, freeze
 from timelaw.numerics.quaternion import multiply
 from timelaw.orientations.angle_files import READERS, read_angles
-from timelaw.orientations.equivalence import find_firsts, make_rotation_group
+from timelaw.orientations.equivalence import find_equivalents, make_rotation_group
 from timelaw.orientations.forms import Writing, find_fault, make_quaternions
 from timelaw.orientations.lattices import make_lattice
 from timelaw.orientations.spread import measure_covering_radius, measure_separation
@@ -98,7 +98,7 @@ def _merged(found: OrientationSet, spec: Orientations) -> OrientationSet:
     group = make_rotation_group(spec.symmetry) if spec.symmetry is not None else None
     if found.lattice is not None and group is None:
         return found  # vertices of a polytope are apart
-    first = find_firsts(found.quaternions, spec.tolerance, group)
+    first = find_equivalents(found.quaternions, spec.tolerance, group)
     pairs = tuple((found.labels[j], found.labels[i]) for i, j in enumerate(first) if i != j)
     if not pairs:
         return found

@@ -1,4 +1,4 @@
-"""The part of a problem file about the body: its inertia."""
+"""The part of a problem file about the body: its inertia, and who turns it."""
 
 from typing import Annotated, Any, Self
 

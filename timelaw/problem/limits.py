@@ -16,9 +16,9 @@ class LimitsModel(Model):
         if not self.given():
             raise fault(f"at least one of {', '.join(LIMITS)} must be given")
         if not any(LIMITS[name].sufficient for name in self.given()):
-            enough = [name for name, kind in LIMITS.items() if kind.sufficient and not kind.needs_inertia]
+            *others, last = [name for name, kind in LIMITS.items() if kind.sufficient]
             names = ", ".join(self.given())
-            message = f"{names} alone is not enough; limit the {', '.join(enough)} or torque too"
+            message = f"{names} alone is not enough; limit the {', '.join(others)} or {last} too"
             raise fault(message)
         return self
 

@@ -7,7 +7,7 @@ from pydantic import BeforeValidator, Field, model_validator
 from timelaw.easing.registry import BASES, MAX_DEGREE, BasisKind
 from timelaw.limits import LIMITS
 from timelaw.limits.body import RigidBody
-from timelaw.limits.momentum import find_contradiction
+from timelaw.limits.registry import POINT
 from timelaw.objectives import OBJECTIVES
 from timelaw.problem.body import Body
 from timelaw.problem.fields import Model, as_tuple, fault, one_of, percentage, quantity
@@ -131,7 +131,7 @@ class Problem(Model):
             for name in limits.given():
                 if LIMITS[name].needs_inertia and self.body is None:
                     raise fault(f'a limit on the {name} needs "body: {{inertia: …}}"', *where, name)
-                reason = find_contradiction(name, limits.given()[name], self.rigid_body())
+                reason = LIMITS[name].contradiction(limits.given()[name], self.rigid_body() or POINT)
                 if reason:
                     raise fault(reason, *where, name)
                 least = LIMITS[name].continuity

@@ -91,7 +91,7 @@ def write_path(path: KeyPath) -> str:
 
 
 def _path(text: str) -> KeyPath:
-    """What `dotted` makes a text of, as a path again."""
+    """What `write_path` makes a text of, as a path again."""
     parts: list[str | int] = []
     for part in text.split("."):
         name, *items = part.split("[")

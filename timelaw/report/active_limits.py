@@ -6,8 +6,7 @@ import numpy as np
 
 from timelaw.motion import QuaternionLaw, Segment
 from timelaw.numerics.array import Array
-from timelaw.numerics.bernstein import evaluate
-from timelaw.numerics.extrema import enclose_peaks
+from timelaw.numerics.function import enclose_peaks
 from timelaw.report.figures.curves import POINTS_PER_DEGREE
 
 ACTIVE = 0.999  # of a limit; solvers leave a millionth, what is used to this part is what bounds the law
@@ -15,12 +14,12 @@ ACTIVE = 0.999  # of a limit; solvers leave a millionth, what is used to this pa
 
 def list_used_parts(law: QuaternionLaw, segment: Segment) -> dict[str, float]:
     """For each limit the largest part of it that a segment uses."""
-    found = [quantity for quantity, _ in law.quantities(segment)]
+    found = list(law.quantities(segment))
     parts: dict[str, float] = {}
-    for quantity, top in zip(found, enclose_peaks([q.value for q in found]), strict=True):
+    for (label, quantity), top in zip(found, enclose_peaks([q.value for _, q in found]), strict=True):
         row = quantity.row
         part = (top.upper / row.bound) ** (1 / row.root)
-        parts[row.label] = max(parts.get(row.label, 0.0), part)
+        parts[label] = max(parts.get(label, 0.0), part)
     return parts
 
 
@@ -35,13 +34,13 @@ def trace_parts(
     """By label the times [s] and the part of a limit, say the torque, that is used at them."""
     curves: dict[str, tuple[list[Array], list[Array]]] = {}
     for segment in segments:
-        for quantity, own in law.quantities(segment):
+        for label, quantity in law.quantities(segment):
             row, value = quantity.row, quantity.value
-            if row.limit != limit or own:
-                continue
+            if row.limit != limit or label != row.label:
+                continue  # another limit, or one of that segment alone
             start, end = segment.start_time + segment.duration * np.array([quantity.start, quantity.end])
             u = np.linspace(0.0, 1.0, 3 + POINTS_PER_DEGREE * value.degree)
             times, values = curves.setdefault(row.label, ([], []))
             times.append(start + u * (end - start))
-            values.append((np.abs(evaluate(value.control, u)) / row.bound) ** (1 / row.root))
+            values.append((np.abs(value(u)) / row.bound) ** (1 / row.root))
     return {label: (np.concatenate(t), np.concatenate(v)) for label, (t, v) in curves.items()}

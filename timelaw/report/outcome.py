@@ -1,5 +1,6 @@
 """What came of a design, in sentences: for the terminal and for the head of the report."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from math import inf, isfinite
 
@@ -7,9 +8,8 @@ from timelaw.easing.time_scaling import used_fraction
 from timelaw.nlp.solution import sum_durations
 from timelaw.objectives import OBJECTIVES, Objective
 from timelaw.pipeline import Design
-from timelaw.report.summary import LawRow, list_law_rows
+from timelaw.report.summary import LawRow
 from timelaw.requirements.given_times import list_budgets
-from timelaw.requirements.route_limit import limit_route
 from timelaw.time_law.baselines import DOUBLE_S, PAPER_CONTINUITY, time_quintic
 
 NOTICEABLE = 1e-3  # relative; less than this above the best law is no cost worth a sentence
@@ -46,10 +46,10 @@ def measure_gain(design: Design) -> Gain | None:
     return Gain(objective, value, reference, used_fraction(requirements.demands, quintic) <= 1)
 
 
-def describe_outcome(design: Design) -> list[str]:
+def describe_outcome(design: Design, rows: Sequence[LawRow]) -> list[str]:
     """The law's time or effort against the quintic and the physical limit, and what its easing costs."""
-    best = list_law_rows(design)[0]
-    limit = limit_route(design.route, design.requirements)
+    best = rows[0]
+    limit = best.duration / best.to_limit
     above = f"{100 * (best.to_limit - 1):.2f} % above the physical limit of {limit:.6g} s"
     gain = measure_gain(design)
     if gain is not None:
@@ -58,7 +58,7 @@ def describe_outcome(design: Design) -> list[str]:
     less = "less" if best.to_quintic <= 1 else "more"
     change = f"{abs(100 * (1 - best.to_quintic)):.1f} % {less} than the paper's quintic"
     first = f"The optimised law takes {best.duration:.6g} s: {change}, {above}."
-    return [first, *_describe_cost(design, best, limit)]
+    return [first, *_describe_cost(design, rows, limit)]
 
 
 def _describe_gain(gain: Gain) -> str:
@@ -74,10 +74,10 @@ def _describe_gain(gain: Gain) -> str:
     )
 
 
-def _describe_cost(design: Design, best: LawRow, limit: float) -> list[str]:
+def _describe_cost(design: Design, rows: Sequence[LawRow], limit: float) -> list[str]:
     """What the chosen easing costs against the best that its continuity allows, and what it gives."""
-    asked = design.problem.nodes.continuity
-    double_s = next((r for r in list_law_rows(design) if r.name == DOUBLE_S), None)
+    best, asked = rows[0], design.problem.nodes.continuity
+    double_s = next((row for row in rows if row.name == DOUBLE_S), None)
     known = double_s is not None and double_s.holds and double_s.continuity >= asked
     name, least = (DOUBLE_S, double_s.duration) if double_s and known else ("physical limit", limit)
     if best.duration <= least * (1 + NOTICEABLE):

@@ -7,7 +7,6 @@ from typing import Any
 
 from timelaw.pipeline import Design
 from timelaw.report.summary import LawRow, list_law_rows
-from timelaw.requirements.route_limit import limit_route
 
 RATES = (("omega", "ω", "deg/s"), ("alpha", "α", "deg/s²"), ("jerk", "jerk", "deg/s³"))
 
@@ -24,11 +23,6 @@ class Facts:
     def rows(self) -> list[LawRow]:
         """The laws side by side."""
         return list_law_rows(self.design)
-
-    @cached_property
-    def limit(self) -> float:
-        """The physical limit of the route [s]."""
-        return limit_route(self.design.route, self.design.requirements)
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ from timelaw.limits import Demand
 from timelaw.nlp import Solution
 from timelaw.objectives import EFFORTS
 from timelaw.pipeline import Certified, Design
-from timelaw.requirements.route_limit import limit_route
+from timelaw.requirements.route_limit import find_route_limit
 from timelaw.time_law.baselines import QUINTIC, time_quintic
 
 
@@ -53,7 +53,7 @@ class RunRow:
 def list_law_rows(design: Design) -> list[LawRow]:
     """The optimised law first, then the baselines."""
     slowest = _time_slowest(design)
-    least = limit_route(design.route, design.requirements)
+    least = find_route_limit(design.route, design.requirements)
     return [_row(entry, slowest, least) for entry in design.laws]
 
 
@@ -86,7 +86,7 @@ def list_run_rows(design: Design) -> list[RunRow]:
     rows = []
     for index, solution in enumerate(design.solution.solutions):
         alike = [run for run, i in zip(runs, design.solution.of_run, strict=True) if i == index]
-        rows.append(_run_row(len(alike), alike[0].legs, alike[0].limit, solution))
+        rows.append(_run_row(len(alike), alike[0].demands, alike[0].limit, solution))
     return rows
 
 
@@ -104,7 +104,7 @@ def _run_row(count: int, demands: Sequence[Demand], least: float, solution: Solu
     )
 
 
-def measure_efforts(design: Design) -> dict[str, float]:
+def measure_all_efforts(design: Design) -> dict[str, float]:
     """∫ of each effort over the optimised law, infinite where a rate below it jumps.
 
     Those that need the inertia only where it is known.

@@ -1,4 +1,4 @@
-"""What is to be said of a tour: legs and turns, its certificate, the paper's distance table."""
+"""What is to be said of a tour: its merits, the notes on its orientations, the paper's distance table."""
 
 from decimal import ROUND_FLOOR, ROUND_HALF_EVEN, Decimal
 from math import ceil, isfinite
@@ -11,13 +11,13 @@ from timelaw.numerics.array import Array
 from timelaw.orientations import OrientationSet
 from timelaw.tours import Tour
 from timelaw.tours.fastest import TIME
-from timelaw.tours.merit import Merit
+from timelaw.tours.merit import LENGTH, Merit
 from timelaw.tours.shortest import MINIMAL
 from timelaw.tours.straightest import STRAIGHT, TURNING
 
-ANGLES = ("length", TURNING)
+ANGLES = (LENGTH, TURNING)
 WORDS = {  # what it is, what no tour is beyond the bound, what this one is beyond it
-    "length": ("length", "shorter", "too long"),
+    LENGTH: (LENGTH, "shorter", "too long"),
     TURNING: ("the axis turns by", "calmer", "too much"),
     TIME: ("time of motion", "faster", "too slow"),
 }

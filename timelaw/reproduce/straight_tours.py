@@ -26,19 +26,19 @@ GOALS = ("stops", "turning")
 
 
 def search(
-    lines: MinimalLegs, goal: str, most: float, *, closed: bool, chance: bool
+    graph: MinimalLegs, goal: str, most: float, *, closed: bool, chance: bool
 ) -> tuple[int, ...] | None:
     """A tour of minimal legs with at most so many corners, or so much turning [rad]; None if there is none.
 
     Raises:
         TimelawError: by chance none was found, which proves nothing.
     """
-    price: Corner = count_corner if goal == "stops" else lines.turn
+    price: Corner = count_corner if goal == "stops" else graph.turn
     if not chance:
-        return RunSearch(lines, closed, most, price).run()
+        return RunSearch(graph, closed, most, price).run()
     random = Random(SEED)
     for _ in range(ATTEMPTS):
-        found = RunSearch(lines, closed, most, price, random, STEPS).run()
+        found = RunSearch(graph, closed, most, price, random, STEPS).run()
         if found is not None:
             return found
     raise TimelawError(f"{ATTEMPTS} attempts of {STEPS} steps have found none; that proves nothing")
@@ -52,21 +52,21 @@ def main(arguments: Sequence[str]) -> None:
         raise TimelawError(
             f"give a lattice ({', '.join(LATTICES)}), a goal ({', '.join(GOALS)}) and a number"
         )
-    lines = MinimalLegs(make_lattice(words[0]))
+    graph = MinimalLegs(make_lattice(words[0]))
     try:
         most = float(words[2])
     except ValueError:
         raise TimelawError(f'"{words[2]}" is not a number') from None
     found = search(
-        lines, words[1], most if words[1] == "stops" else radians(most), closed=closed, chance=chance
+        graph, words[1], most if words[1] == "stops" else radians(most), closed=closed, chance=chance
     )
     if found is None:
         print(f"none: the complete search shows that no {'closed' if closed else 'open'} tour has so little")
         return
     visits = list_visits(found, closed=closed)
     print(json.dumps(found))
-    turning = degrees(lines.turning(visits))
-    print(f"{lines.straight(visits)} straight inner nodes, the axis turns by {turning:.2f}°")
+    turning = degrees(graph.turning(visits))
+    print(f"{graph.straight(visits)} straight inner nodes, the axis turns by {turning:.2f}°")
 
 
 if __name__ == "__main__":

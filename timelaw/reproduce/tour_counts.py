@@ -30,17 +30,17 @@ def count_cycles(neighbours: Graph, start: int) -> int:
     return count_all(len(neighbours), len(neighbours), _steps(neighbours), [Start(start, None)], [start])
 
 
-def count_by_straight_nodes(lines: MinimalLegs, start: int, *, closed: bool) -> dict[int, int]:
+def count_by_straight_nodes(graph: MinimalLegs, start: int, *, closed: bool) -> dict[int, int]:
     """How many paths or cycles from a node have 0, 1, 2, … straight inner nodes."""
-    count, most = len(lines), lines.counting_bound(closed)
-    arcs = [(i, j) for i, near in enumerate(lines.neighbours) for j in near]
+    count, most = len(graph), graph.counting_bound(closed)
+    arcs = [(i, j) for i, near in enumerate(graph.neighbours) for j in near]
     place = {
         (arc, done): count + at * (most + 1) + done for at, arc in enumerate(arcs) for done in range(most + 1)
     }
     moves = [Move(i, place[(i, j), 0], (j,), 0.0) for i, j in arcs]
     for i, j in arcs:
-        for k in lines.neighbours[j]:
-            more = lines.onward.get((i, j)) == k
+        for k in graph.neighbours[j]:
+            more = graph.onward.get((i, j)) == k
             moves += [
                 Move(place[(i, j), done], place[(j, k), done + more], (k,), 0.0)
                 for done in range(most + 1 - more)
@@ -73,20 +73,20 @@ def main(arguments: Sequence[str]) -> None:
     names = [name for name in LATTICES if len(make_lattice(name)) <= MOST_NODES]
     if len(arguments) != 1 or arguments[0] not in names:
         raise TimelawError(f"give one lattice: {', '.join(names)}; the others have too many tours to count")
-    lines = MinimalLegs(make_lattice(arguments[0]))
-    nodes = range(len(lines))
+    graph = MinimalLegs(make_lattice(arguments[0]))
+    nodes = range(len(graph))
     if arguments[0] == "24-cell":
-        graph = _table_1(lines.quaternions)
-        every = sum(count_paths(graph, node) for node in nodes)
-        first = count_paths(graph, 0)
+        table = _table_1(graph.quaternions)
+        every = sum(count_paths(table, node) for node in nodes)
+        first = count_paths(table, 0)
         print(f"table 1 of [MMB2017]: {first} directed shortest paths from node 1, {every} in all")
-    every = sum(count_paths(lines.neighbours, node) for node in nodes)
+    every = sum(count_paths(graph.neighbours, node) for node in nodes)
     print(
-        f"on SO(3): {count_paths(lines.neighbours, 0)} from node 1, {every} in all; "
-        f"{count_cycles(lines.neighbours, 0)} closed ones"
+        f"on SO(3): {count_paths(graph.neighbours, 0)} from node 1, {every} in all; "
+        f"{count_cycles(graph.neighbours, 0)} closed ones"
     )
     for kind, closed in (("open", False), ("closed", True)):
-        found = count_by_straight_nodes(lines, 0, closed=closed)
+        found = count_by_straight_nodes(graph, 0, closed=closed)
         listing = ", ".join(f"{number} with {done}" for done, number in found.items())
         print(f"{kind}, from node 1, by straight inner nodes: {listing}")
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from timelaw.errors import Fault, InputError, list_some
 from timelaw.limits import Bounds, Demand, drop_implied, list_rows, make_limits
 from timelaw.limits.body import RigidBody
-from timelaw.limits.torque import square_torque
+from timelaw.limits.torque import make_torque_row
 from timelaw.problem import Problem
 from timelaw.problem.nodes import NodeRule, SegmentRule
 from timelaw.problem.route import SEARCHED
@@ -70,7 +70,7 @@ def resolve_requirements(problem: Problem, route: Route) -> Requirements:
         if not rows:
             message = f"no limit bounds the motion of leg {leg.name}; add a norm limit"
             raise InputError(Fault(message, "limits"))
-        torque = square_torque(body, leg.axis) if body is not None else None
+        torque = make_torque_row(body, leg.axis) if body is not None else None
         demands.append(Demand(leg.angle, rows, rule.duration if rule else None, torque))
     dwells = _dwells(problem, route, rules)
     stops = {i for i, rule in rules.items() if rule.stop} | {i for i, d in enumerate(dwells) if d > 0}

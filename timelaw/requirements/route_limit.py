@@ -4,7 +4,7 @@ from timelaw.requirements.requirements import Requirements
 from timelaw.route import Route
 
 
-def limit_route(route: Route, requirements: Requirements, *, stop: bool = False) -> float:
+def find_route_limit(route: Route, requirements: Requirements, *, stop: bool = False) -> float:
     """A time [s] that no law on this route beats: Σ over runs, or with `stop` over legs, and the dwells."""
     known: dict[object, float] = {}
     result = requirements.dwell_time

@@ -11,7 +11,7 @@ from timelaw.limits import Demand
 class RunDemand:
     """The demands of the legs of a run; the rates φ', φ'', … at its ends, none for rest."""
 
-    legs: tuple[Demand, ...]
+    demands: tuple[Demand, ...]
     start: tuple[float, ...] = ()
     end: tuple[float, ...] = ()
 
@@ -23,13 +23,13 @@ class RunDemand:
     @property
     def elastic(self) -> bool:
         """Whether stretching time leaves everything true but the times."""
-        return not self.moving and all(leg.duration is None for leg in self.legs)
+        return not self.moving and all(demand.duration is None for demand in self.demands)
 
     @cached_property
     def limit(self) -> float:
         """A time [s] that no motion over it beats."""
-        return run_limit(self.legs, moving=self.moving)
+        return run_limit(self.demands, moving=self.moving)
 
     def key(self) -> tuple[object, ...]:
         """Equal for runs that have equal solutions."""
-        return (tuple(leg.key() for leg in self.legs), self.start, self.end)
+        return (tuple(demand.key() for demand in self.demands), self.start, self.end)

@@ -12,7 +12,7 @@ from timelaw.pipeline import Design, design_problem
 from timelaw.problem.load import check_problem
 from timelaw.progress import Progress
 from timelaw.report import list_law_rows
-from timelaw.report.summary import measure_efforts
+from timelaw.report.summary import measure_all_efforts
 from timelaw.study.study import Study
 
 
@@ -96,7 +96,7 @@ def _outcome(point: dict[str, Any], design: Design) -> Outcome:
         row.duration,
         row.to_limit,
         row.continuity,
-        measure_efforts(design),
+        measure_all_efforts(design),
         row.peaks,
         design.family.label,
         "; ".join(status if row.holds else design.optimised.certificate.findings()),

@@ -43,7 +43,7 @@ def time_double_s(
     known: dict[object, tuple[Timing, ...]] = {}
     timings: list[Timing] = []
     for run in cut.by_run(route, stop=stop):
-        demands = run.legs
+        demands = run.demands
         key = tuple(d.key() for d in demands)
         if key not in known:
             known[key] = fit_double_s(demands)

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 
+LENGTH = "length"
 EQUAL = 1e-9  # relative; a value this near to its bound has reached it
 
 

@@ -6,7 +6,7 @@ from timelaw.numerics.array import Array
 from timelaw.progress import Progress
 from timelaw.tours.ends import Ends, list_visits
 from timelaw.tours.graph.distances import NEIGHBOUR_TOLERANCE, list_neighbours
-from timelaw.tours.merit import Merit, Searched
+from timelaw.tours.merit import LENGTH, Merit, Searched
 from timelaw.tours.search.hamiltonian import find_obstacle, find_path
 from timelaw.tours.search.held_karp import bound_by_trees
 from timelaw.tours.search.local_search import find_short_cycle
@@ -30,10 +30,10 @@ def find_shortest(angles: Array, ends: Ends, progress: Progress | None = None) -
     path = None if find_obstacle(neighbours, ends) else find_path(neighbours, ends)
     if path is not None:
         total = sum_costs(angles, path, closed=ends.closed)
-        return Searched(path, (Merit("length", total, legs * minimal, MINIMAL),))
+        return Searched(path, (Merit(LENGTH, total, legs * minimal, MINIMAL),))
     if count <= MOST_NODES:
         order, total = find_cheapest(angles, ends)
-        return Searched(order, (Merit("length", total, total, EXACT),))
+        return Searched(order, (Merit(LENGTH, total, total, EXACT),))
     order = find_short_tour(angles, ends, progress)
     total = sum_costs(angles, order, closed=ends.closed)
     return Searched(order, (bound_length(angles, ends, total, progress),))
@@ -44,10 +44,10 @@ def bound_length(angles: Array, ends: Ends, length: float, progress: Progress | 
     count = len(angles)
     minimal = (count - 1 + ends.closed) * float(np.min(angles[~np.eye(count, dtype=bool)]))
     if length <= minimal * (1 + NEIGHBOUR_TOLERANCE):
-        return Merit("length", length, minimal, MINIMAL)
+        return Merit(LENGTH, length, minimal, MINIMAL)
     if count <= MOST_NODES:
-        return Merit("length", length, find_cheapest(angles, ends)[1], EXACT)
-    return Merit("length", length, max(bound_by_trees(angles, ends, length, progress), minimal), TREES)
+        return Merit(LENGTH, length, find_cheapest(angles, ends)[1], EXACT)
+    return Merit(LENGTH, length, max(bound_by_trees(angles, ends, length, progress), minimal), TREES)
 
 
 def sum_costs(costs: Array, order: tuple[int, ...], *, closed: bool) -> float:

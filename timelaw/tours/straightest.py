@@ -33,70 +33,70 @@ GOALS = {STRAIGHT: "fewest-stops", TURNING: "least-turning"}
 
 
 def find_straightest(
-    lines: MinimalLegs, ends: Ends, goal: str, labels: Sequence[str], progress: Progress | None = None
+    graph: MinimalLegs, ends: Ends, goal: str, labels: Sequence[str], progress: Progress | None = None
 ) -> Searched:
     """The tour of minimal legs with the most straight nodes (`goal` STRAIGHT), or the least TURNING.
 
     Raises:
         InputError: no tour has minimal legs only, none was found, or the set is too large.
     """
-    reason = find_obstacle(lines.neighbours, ends)
+    reason = find_obstacle(graph.neighbours, ends)
     if reason is not None:
         what, nodes = reason
         raise _impossible(goal, f"there are orientations {what}: {list_some([labels[i] for i in nodes])}")
-    if len(lines) * 2 ** len(lines) * max(map(len, lines.neighbours)) <= MOST_CELLS:
-        return _exact(lines, ends, goal)
-    return _shipped(lines, ends, goal) or _searched(lines, ends, goal, progress)
+    if len(graph) * 2 ** len(graph) * max(map(len, graph.neighbours)) <= MOST_CELLS:
+        return _exact(graph, ends, goal)
+    return _shipped(graph, ends, goal) or _searched(graph, ends, goal, progress)
 
 
-def check_minimal(order: Sequence[int], lines: MinimalLegs, *, closed: bool) -> None:
+def check_minimal(order: Sequence[int], graph: MinimalLegs, *, closed: bool) -> None:
     """Refuse what does not visit every node once by minimal legs.
 
     Raises:
         ValueError: a node is missing or repeated, or a leg is longer.
     """
-    if sorted(order) != list(range(len(lines))):
+    if sorted(order) != list(range(len(graph))):
         raise ValueError("a tour visits every node once")
     for a, b in pairwise(list_visits(order, closed=closed)):
-        if b not in lines.neighbours[a]:
+        if b not in graph.neighbours[a]:
             raise ValueError(f"the leg {a}-{b} is not minimal")
 
 
 def judge_straightness(
-    lines: MinimalLegs, order: Sequence[int], *, closed: bool, bounds: dict[str, tuple[float, str]]
+    graph: MinimalLegs, order: Sequence[int], *, closed: bool, bounds: dict[str, tuple[float, str]]
 ) -> tuple[Merit, ...]:
     """What a tour of minimal legs is worth, beside the bounds known: straight nodes, turning."""
     visits = list_visits(order, closed=closed)
-    counted = lines.counting_bound(closed)
+    counted = graph.counting_bound(closed)
     most, proof = bounds.get(STRAIGHT, (counted, COUNTED))
     if most >= counted:
         most, proof = counted, COUNTED
     corners = len(visits) - 2 - most
     little, why = bounds.get(TURNING, (0.0, ""))
-    if corners * lines.least_turn >= little:
-        little, why = corners * lines.least_turn, f"{corners:.0f} corners × the least turn"
+    if corners * graph.least_turn >= little:
+        little, why = corners * graph.least_turn, f"{corners:.0f} corners × the least turn"
     return (
-        Merit(STRAIGHT, lines.straight(visits), most, proof, most=True),
-        Merit(TURNING, lines.turning(visits), little, why),
+        Merit(STRAIGHT, graph.straight(visits), most, proof, most=True),
+        Merit(TURNING, graph.turning(visits), little, why),
     )
 
 
-def _searched(lines: MinimalLegs, ends: Ends, goal: str, progress: Progress | None) -> Searched:
+def _searched(graph: MinimalLegs, ends: Ends, goal: str, progress: Progress | None) -> Searched:
     """The best that a search by chance finds; the bound by counting says how good it is at least."""
-    if len(lines) > MOST_STRAIGHTENED:
+    if len(graph) > MOST_STRAIGHTENED:
         message = (
-            f'"{GOALS[goal]}" is searched for {MOST_STRAIGHTENED} orientations at most, not for {len(lines)}'
+            f'"{GOALS[goal]}" is searched for {MOST_STRAIGHTENED} orientations at most, not for {len(graph)}'
         )
         raise InputError(Fault(f'{message}; use "shortest" or "fastest"', "route.tour"))
-    corners = len(lines) - 2 + ends.closed - lines.counting_bound(ends.closed)
-    order = descend(lines, ends, count_corner, corners, None, progress)
+    corners = len(graph) - 2 + ends.closed - graph.counting_bound(ends.closed)
+    order = descend(graph, ends, count_corner, corners, None, progress)
     if goal == TURNING and order is not None:
-        calm = corners * lines.least_turn * (1 + EQUAL)
-        order = descend(lines, ends, lines.turn, calm, order, progress)
+        calm = corners * graph.least_turn * (1 + EQUAL)
+        order = descend(graph, ends, graph.turn, calm, order, progress)
     if order is None:
         raise _impossible(goal, "none was found")
-    check_minimal(order, lines, closed=ends.closed)
-    return Searched(order, judge_straightness(lines, order, closed=ends.closed, bounds={}))
+    check_minimal(order, graph, closed=ends.closed)
+    return Searched(order, judge_straightness(graph, order, closed=ends.closed, bounds={}))
 
 
 def count_corner(_i: int, _j: int, _k: int) -> float:
@@ -104,23 +104,23 @@ def count_corner(_i: int, _j: int, _k: int) -> float:
     return 1.0
 
 
-def _exact(lines: MinimalLegs, ends: Ends, goal: str) -> Searched:
+def _exact(graph: MinimalLegs, ends: Ends, goal: str) -> Searched:
     """By dynamic programming over subsets: all tours of minimal legs are compared."""
 
     def price(i: int, j: int, k: int) -> float:
-        turn = lines.turn(i, j, k)
+        turn = graph.turn(i, j, k)
         return turn if goal == TURNING else (turn > 0) + CALM * turn
 
-    count = len(lines)
+    count = len(graph)
     arcs = {
         arc: count + index
-        for index, arc in enumerate((i, j) for i, near in enumerate(lines.neighbours) for j in near)
+        for index, arc in enumerate((i, j) for i, near in enumerate(graph.neighbours) for j in near)
     }
     moves = [Move(i, state, (j,), 0.0) for (i, j), state in arcs.items()]
     moves += [
         Move(state, arcs[j, k], (k,), price(i, j, k))
         for (i, j), state in arcs.items()
-        for k in lines.neighbours[j]
+        for k in graph.neighbours[j]
         if k != i
     ]
     found = None
@@ -136,16 +136,16 @@ def _exact(lines: MinimalLegs, ends: Ends, goal: str) -> Searched:
     order = open_cycle(found.nodes, closed=ends.closed)
     inner = count - 2 + ends.closed
     bound = (inner - floor(found.cost), EXACT) if goal == STRAIGHT else (found.cost, EXACT)
-    return Searched(order, judge_straightness(lines, order, closed=ends.closed, bounds={goal: bound}))
+    return Searched(order, judge_straightness(graph, order, closed=ends.closed, bounds={goal: bound}))
 
 
-def _shipped(lines: MinimalLegs, ends: Ends, goal: str) -> Searched | None:
+def _shipped(graph: MinimalLegs, ends: Ends, goal: str) -> Searched | None:
     """A tour from the data of a lattice congruent to the set, carried to it and to the ends; checked."""
     for name, kinds in json.loads(files("timelaw.tours").joinpath(DATA).read_text(encoding="utf-8")).items():
         model = MinimalLegs(make_lattice(name))
-        nodes = find_congruence(model.quaternions, lines.quaternions)
+        nodes = find_congruence(model.quaternions, graph.quaternions)
         if nodes is None or any(
-            {nodes[j] for j in near} != set(lines.neighbours[nodes[i]])
+            {nodes[j] for j in near} != set(graph.neighbours[nodes[i]])
             for i, near in enumerate(model.neighbours)
         ):
             continue
@@ -156,9 +156,9 @@ def _shipped(lines: MinimalLegs, ends: Ends, goal: str) -> Searched | None:
             carried = move_tour(tuple(order), model.quaternions, wanted)
             if carried is not None:
                 found = [nodes[node] for node in carried]
-                check_minimal(found, lines, closed=ends.closed)
+                check_minimal(found, graph, closed=ends.closed)
                 return Searched(
-                    tuple(found), judge_straightness(lines, found, closed=ends.closed, bounds=bounds)
+                    tuple(found), judge_straightness(graph, found, closed=ends.closed, bounds=bounds)
                 )
     return None
 

@@ -16,7 +16,7 @@ from timelaw.tours.ends import Ends, list_visits
 from timelaw.tours.fastest import find_fastest
 from timelaw.tours.graph.distances import NEIGHBOUR_TOLERANCE, find_minimal_distance, measure_distances
 from timelaw.tours.graph.minimal_legs import MinimalLegs
-from timelaw.tours.merit import Merit, Searched
+from timelaw.tours.merit import LENGTH, Merit, Searched
 from timelaw.tours.shortest import MINIMAL, bound_length, find_shortest
 from timelaw.tours.straightest import STRAIGHT, TURNING, find_straightest
 from timelaw.tours.travel_rules import make_travel_times
@@ -49,7 +49,7 @@ class Tour:
     @property
     def is_shortest(self) -> bool:
         """Whether it is proved that no tour with these ends is shorter."""
-        return next(merit for merit in self.merits if merit.name == "length").is_best
+        return next(merit for merit in self.merits if merit.name == LENGTH).is_best
 
     def visits(self) -> Order:
         """Indices with the first one repeated at the end of a closed tour."""
@@ -84,11 +84,11 @@ def find_tour(problem: Problem, points: OrientationSet, progress: Progress | Non
     length = float(np.sum(angle_between(visits[:-1], visits[1:])))
     minimal = find_minimal_distance(points.quaternions)
     merits = searched.merits
-    if not any(merit.name == "length" for merit in merits):
+    if not any(merit.name == LENGTH for merit in merits):
         legs = len(points) - 1 + spec.closed
         short = length <= legs * (minimal + NEIGHBOUR_TOLERANCE)
         bound = length if short else legs * minimal
-        merits = (Merit("length", length, bound, MINIMAL, asked=False), *merits)
+        merits = (Merit(LENGTH, length, bound, MINIMAL, asked=False), *merits)
     return Tour(searched.order, spec.closed, length, minimal, merits)
 
 
@@ -97,7 +97,7 @@ def sharpen(found: Tour, points: OrientationSet, progress: Progress | None = Non
     if found.is_shortest or len(points) > MOST_ORIENTATIONS or len(points) < 3:
         return found
     bound = bound_length(measure_distances(points.quaternions), Ends(found.closed), found.length, progress)
-    known = next(merit for merit in found.merits if merit.name == "length")
+    known = next(merit for merit in found.merits if merit.name == LENGTH)
     if known.proof != MINIMAL or bound.bound <= known.bound:
         return found
     return replace(found, merits=tuple(bound if merit is known else merit for merit in found.merits))

@@ -7,7 +7,6 @@ import numpy as np
 
 from timelaw.motion import Segment
 from timelaw.numerics.array import Array
-from timelaw.numerics.bernstein import evaluate
 
 POINTS_PER_DEGREE = 16  # even, so that the middle of an interval, often a zero, is among them
 
@@ -21,5 +20,5 @@ def trace_rate(segments: Sequence[Segment], order: int) -> tuple[Array, Array]:
         for rate, (start, end) in zip(segment.rates(order), pairwise(breaks), strict=True):
             u = np.linspace(0.0, 1.0, 3 + POINTS_PER_DEGREE * rate.degree)
             times.append(start + u * (end - start))
-            values.append(np.abs(evaluate(rate.control, u)))
+            values.append(np.abs(rate(u)))
     return np.concatenate(times), np.concatenate(values)

@@ -3,15 +3,14 @@
 import io
 from typing import Any
 
-from timelaw.motion import QuaternionLaw
-from timelaw.motion.segment import Segment
+from timelaw.motion import QuaternionLaw, Segment
 
 OPTIMISED, QUINTIC, LIMIT, NODE, DWELL = "#0b5fa5", "#9b9b9b", "#b3261e", "#c9c9c9", "#eef0f2"
 AXIS_COLOURS = ("#0b5fa5", "#b07400", "#1b6e3c")
 MAX_LEGS = 24  # more legs than this would be a solid band; the first of them are drawn
 MAX_LABELS = 30
-RATE_NAMES = {1: "|ω|", 2: "|α|", 3: "|jerk|"}
-UNITS = {1: "deg/s", 2: "deg/s²", 3: "deg/s³"}
+SIZES = {1: "|ω|", 2: "|α|", 3: "|jerk|", 4: "|snap|"}
+UNITS = {1: "deg/s", 2: "deg/s²", 3: "deg/s³", 4: "deg/s⁴"}
 STYLE: dict[Any, Any] = {
     "font.family": "DejaVu Sans",
     "font.size": 9,
@@ -36,7 +35,7 @@ def render_svg(figure: Any, salt: str) -> str:
     return text.getvalue()
 
 
-def list_first(law: QuaternionLaw) -> tuple[Segment, ...]:
+def list_first_legs(law: QuaternionLaw) -> tuple[Segment, ...]:
     """The segments up to the last leg that is drawn, dwells between them included."""
     legs = law.legs[:MAX_LEGS]
     return law.segments if len(legs) == len(law.legs) else law.segments[: law.segments.index(legs[-1]) + 1]

@@ -27,10 +27,10 @@ def _time_symmetric(design: Design) -> float | None:
     requirements = design.requirements
     total = requirements.dwell_time
     for run in requirements.by_run(design.route):
-        bounds = [min(b) for b in zip(*(rate_bounds(leg.rows) for leg in run.legs), strict=True)]
-        if bounds[-1] == inf or not run.elastic or has_coupling([r for leg in run.legs for r in leg.rows]):
+        bounds = [min(b) for b in zip(*(rate_bounds(leg.rows) for leg in run.demands), strict=True)]
+        if bounds[-1] == inf or not run.elastic or has_coupling([r for leg in run.demands for r in leg.rows]):
             return None
-        total += symmetric_time(sum(leg.angle for leg in run.legs), bounds)
+        total += symmetric_time(sum(leg.angle for leg in run.demands), bounds)
     return total
 
 

@@ -13,7 +13,7 @@ def _context(facts: Facts) -> dict[str, Any]:
         "certificate_lines": describe_order(design.tour),
         "runs_count": len(design.requirements.runs(design.route)),
         "best": facts.rows[0],
-        "outcome": describe_outcome(design),
+        "outcome": describe_outcome(design, facts.rows),
     }
 
 

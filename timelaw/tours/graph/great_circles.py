@@ -40,14 +40,14 @@ class GreatCircle:
         return rows
 
 
-def list_circles(lines: MinimalLegs) -> list[GreatCircle]:
+def list_circles(graph: MinimalLegs) -> list[GreatCircle]:
     """All circles, or parts of one, that lead from node to node by minimal legs; each once."""
     found: dict[int, GreatCircle] = {}
-    led_to = {(j, k) for (_, j), k in lines.onward.items()}
-    for start, nearest in enumerate(lines.neighbours):
+    led_to = {(j, k) for (_, j), k in graph.onward.items()}
+    for start, nearest in enumerate(graph.neighbours):
         for second in nearest:
-            nodes = (start, *lines.line(start, second))
-            ring = lines.onward.get((nodes[-2], nodes[-1])) == start
+            nodes = (start, *graph.line(start, second))
+            ring = graph.onward.get((nodes[-2], nodes[-1])) == start
             if ring or (start, second) not in led_to:  # otherwise a part of a line that begins earlier
                 circle = GreatCircle(nodes, ring)
                 found.setdefault(circle.mask, circle)

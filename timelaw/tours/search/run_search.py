@@ -40,7 +40,7 @@ class RunSearch:
     from the node `start`, and to `end` if that is given, in any set.
     """
 
-    lines: MinimalLegs
+    graph: MinimalLegs
     closed: bool
     budget: float
     corner: Corner
@@ -52,21 +52,21 @@ class RunSearch:
     visited_states: int = 0
 
     def __post_init__(self) -> None:
-        lines, count = self.lines, len(self.lines)
+        graph, count = self.graph, len(self.graph)
         self.legs = count - 1 + self.closed
         self.full = (1 << count) - 1
-        self.near = [sum(1 << j for j in nearest) for nearest in lines.neighbours]
-        self.ways = [[tuple(lines.line(i, j)) for j in nearest] for i, nearest in enumerate(lines.neighbours)]
-        self.unit = lcm(*range(1, lines.longest + 1))
+        self.near = [sum(1 << j for j in nearest) for nearest in graph.neighbours]
+        self.ways = [[tuple(graph.line(i, j)) for j in nearest] for i, nearest in enumerate(graph.neighbours)]
+        self.unit = lcm(*range(1, graph.longest + 1))
         self.circles: list[tuple[GreatCircle, dict[int, int]]] = [
-            (circle, {}) for circle in list_circles(lines)
+            (circle, {}) for circle in list_circles(graph)
         ]
         self.costs = {
             (i, j, k): self.corner(i, j, k)
-            for j, nearest in enumerate(lines.neighbours)
+            for j, nearest in enumerate(graph.neighbours)
             for i in nearest
             for k in nearest
-            if k != i and lines.onward.get((i, j)) != k
+            if k != i and graph.onward.get((i, j)) != k
         }
         self.least = min(self.costs.values(), default=0.0)
 
@@ -146,7 +146,7 @@ class RunSearch:
                 if not self._in_time(cost + price, legs, legs + length):
                     continue
                 left = (self.near[node] & ~after).bit_count()
-                rank = LOSS * (self.lines.longest - length + price / self.least) + PROMISE * left
+                rank = LOSS * (self.graph.longest - length + price / self.least) + PROMISE * left
                 chance = SPREAD * self.random.random() if self.random else 0.0
                 found.append((rank + chance, cost + price, line[:length]))
         return sorted(found)
@@ -162,7 +162,7 @@ class RunSearch:
         if self.closed:
             return (cost + self.least) * self.legs <= self.budget * legs + ROUNDING
         middle = (self.legs - 1) // 2 + 1
-        runs = -(-max(middle - legs, 0) // self.lines.longest)
+        runs = -(-max(middle - legs, 0) // self.graph.longest)
         return before >= middle or cost + runs * self.least <= self.budget / 2 + ROUNDING
 
     def _shuffled(self, ways: list[tuple[int, ...]]) -> list[tuple[int, ...]]:
@@ -171,7 +171,7 @@ class RunSearch:
 
     def _second_runs(self, last: int) -> list[tuple[int, ...]]:
         """Lines from `last`, one of each class that the isometries fixing the first leg make."""
-        stabiliser = find_stabiliser(self.lines.quaternions, 0, self.path[1])
+        stabiliser = find_stabiliser(self.graph.quaternions, 0, self.path[1])
         kept: dict[int, tuple[int, ...]] = {}
         for line in self.ways[last]:
             representative = min(nodes[line[0]] for nodes in stabiliser)
@@ -192,7 +192,7 @@ class RunSearch:
             reach |= found
         count = len(self.near)
         needed, covered = 0, 0
-        for length in range(self.lines.longest, 0, -1):
+        for length in range(self.graph.longest, 0, -1):
             within = reach >> count * (length - 1) & goals
             needed += (within & ~covered).bit_count() * (self.unit // length)
             covered |= within

@@ -20,7 +20,7 @@ LESS = 1e-6  # of the least corner; what the next tour must save
 
 
 def descend(
-    lines: MinimalLegs,
+    graph: MinimalLegs,
     ends: Ends,
     corner: Corner,
     enough: float,
@@ -31,13 +31,13 @@ def descend(
 
     `known` is a tour to begin from; the search is over when inner corners cost no more than `enough`.
     """
-    best = known or find_path(lines.neighbours, ends)
+    best = known or find_path(graph.neighbours, ends)
     random = Random(SEED)
     backwards = not ends.closed and ends.start is None and ends.end is not None
-    search = RunSearch(lines, ends.closed, float("inf"), corner, random, alike=False)
-    search.steps = max(STATES // ATTEMPTS, 2 * len(lines))
+    search = RunSearch(graph, ends.closed, float("inf"), corner, random, alike=False)
+    search.steps = max(STATES // ATTEMPTS, 2 * len(graph))
     search.end = None if backwards else ends.end
-    for attempt, start in enumerate(_starts(ends, len(lines), random)):
+    for attempt, start in enumerate(_starts(ends, len(graph), random)):
         if progress is not None:
             progress("straight tours", attempt, ATTEMPTS)
         if best is not None:
