@@ -29,15 +29,14 @@ class Certificate:
         """Whether nothing was found."""
         return not self.findings()
 
+    @property
+    def limits_hold(self) -> bool:
+        """Whether every limit holds for all t, whatever continuity was asked for."""
+        return not self.limit_findings()
+
     def findings(self) -> list[str]:
         """What is wrong with the law, one sentence each."""
-        found = [
-            f"{c.limit} reaches {c.peak:.9g} {c.unit} in {c.segment} at t = {c.time:.6f} s, "
-            f"over the limit of {c.bound:.9g} {c.unit} by {-c.margin:.2e} of it"
-            for c in self.limits
-            if not c.holds
-        ]
-        found += self._jumps()
+        found = self.limit_findings()
         if self.continuity.order < self.asked:
             found.append(f"the motion is C{self.continuity.order}, C{self.asked} was asked for")
         found += [
@@ -46,6 +45,16 @@ class Certificate:
             if not g.holds
         ]
         return found
+
+    def limit_findings(self) -> list[str]:
+        """Limits that are broken, and jumps where one cannot hold."""
+        found = [
+            f"{c.limit} reaches {c.peak:.9g} {c.unit} in {c.segment} at t = {c.time:.6f} s, "
+            f"over the limit of {c.bound:.9g} {c.unit} by {-c.margin:.2e} of it"
+            for c in self.limits
+            if not c.holds
+        ]
+        return [*found, *self._jumps()]
 
     def _jumps(self) -> list[str]:
         """Limits of order k where a lower rate jumps: the limited rate is unbounded there."""

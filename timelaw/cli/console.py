@@ -58,7 +58,7 @@ def print_table(headings: list[str], rows: list[list[str]]) -> None:
     from rich.table import Table
     from rich.text import Text
 
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 1))
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 1), collapse_padding=True)
     for index, heading in enumerate(headings):
         table.add_column(Text(heading), justify="right" if index else "left", no_wrap=True)
     for row in rows:

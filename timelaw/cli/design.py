@@ -77,7 +77,7 @@ def list_files(done: Design, path: Path) -> dict[str, str | bytes]:
 
 def _print(done: Design, rows: list[LawRow], folder: Path) -> None:
     print_table(
-        ["law", "time [s]", "to quintic", "to limit", "peak/limit", "class"],
+        ["law", "time [s]", "to quintic", "to limit", "peak/limit", "class", "limits hold"],
         [
             [
                 row.name,
@@ -86,6 +86,7 @@ def _print(done: Design, rows: list[LawRow], folder: Path) -> None:
                 f"{row.to_limit:.4f}",
                 f"{max(row.peaks.values()):.6f}",
                 f"C{row.continuity}",
+                "yes" if row.limits_hold else "NO",
             ]
             for row in rows
         ],

@@ -99,7 +99,9 @@ def _path(text: str) -> KeyPath:
     return tuple(parts)
 
 
-def read(text: str, path: str) -> Source:
+def read(
+    text: str, path: str, kind: str = 'problem file is a mapping that starts with "timelaw: 1"'
+) -> Source:
     """Parse one YAML 1.2 document.
 
     Raises:
@@ -122,9 +124,7 @@ def read(text: str, path: str) -> Source:
         raise InputError(Fault(f"not readable as YAML: {what}", "", path, 1, 1)) from None
     if not isinstance(data, dict):
         given = "an empty file" if data is None else f"a {_name(data)}"
-        raise InputError(
-            Fault(f'{given}; a problem file is a mapping that starts with "timelaw: 1"', "", path, 1, 1)
-        )
+        raise InputError(Fault(f"{given}; a {kind}", "", path, 1, 1))
     return Source(data, text, path, keys, values)
 
 

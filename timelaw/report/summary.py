@@ -18,7 +18,8 @@ from timelaw.time_law.baselines import QUINTIC, time_quintic
 class LawRow:
     """One law beside the others: times in s, `peaks` as proved peak over limit.
 
-    `smoothness` is ∫|jerk|² dt, infinite where ω or α jumps.
+    `smoothness` is ∫|jerk|² dt, infinite where ω or α jumps. A law `holds` if its limits do and it is as
+    smooth as was asked of it.
     """
 
     name: str
@@ -29,6 +30,7 @@ class LawRow:
     continuity: int
     smoothness: float
     holds: bool
+    limits_hold: bool
 
     def to_dict(self) -> dict[str, Any]:
         """As `--json` prints it: null for what has no bound."""
@@ -74,6 +76,7 @@ def _row(entry: Certified, slowest: float, least: float) -> LawRow:
         certificate.continuity.order,
         measure_effort(entry.law, certificate.continuity, 3),
         certificate.holds,
+        certificate.limits_hold,
     )
 
 
@@ -100,7 +103,7 @@ def _run_row(count: int, demands: Sequence[Demand], least: float, solution: Solu
         solution.rounds,
         solution.iterations,
         solution.rows,
-        solution.gap,
+        max(solution.gap, 0.0),
     )
 
 

@@ -19,7 +19,7 @@ ANGLES = (LENGTH, TURNING)
 WORDS = {  # what it is, what no tour is beyond the bound, what this one is beyond it
     LENGTH: (LENGTH, "shorter", "too long"),
     TURNING: ("the axis turns by", "calmer", "too much"),
-    TIME: ("time of motion", "faster", "too slow"),
+    TIME: ("least time over its runs", "faster", "too slow"),
 }
 
 

@@ -20,6 +20,7 @@ from timelaw.problem.load import refuse_other_kinds, translate
 from timelaw.problem.source import read
 
 MOST_DESIGNS = 10_000
+STUDY = 'study file is a mapping that starts with "timelaw-study: 1"'
 WITH_UNIT = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*$")
 
 
@@ -80,16 +81,16 @@ def read_study(path: Path) -> Study:
     Raises:
         InputError: either file is wrong.
     """
-    source = read(read_text(path), str(path))
+    source = read(read_text(path), str(path), STUDY)
     refuse_other_kinds(source, "a study file")
     try:
         model = StudyModel.model_validate(source.data)
     except ValidationError as error:
         raise InputError(*translate(source, error, StudyModel)) from None
     problem = path.parent / model.problem
-    study = Study(
-        model.name, problem, read(read_text(problem), str(problem)), dict(model.vary), model.effort, source
-    )
+    base = read(read_text(problem), str(problem))
+    refuse_other_kinds(base, "a problem file")
+    study = Study(model.name, problem, base, dict(model.vary), model.effort, source)
     for one in study.vary:
         inside = next((other for other in study.vary if other.startswith(f"{one}.")), None)
         if inside is not None:

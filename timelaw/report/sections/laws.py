@@ -17,6 +17,11 @@ def _context(facts: Facts) -> dict[str, Any]:
         "rows": facts.rows,
         "limits": [check.limit for check in design.optimised.certificate.limits],
         "given_times": bool(given),
+        "findings": [
+            (entry.name, entry.certificate.limit_findings()[0])
+            for entry in design.baselines
+            if not entry.certificate.limits_hold
+        ],
         "symmetric": _time_symmetric(design),
         "unbounded": any(not isfinite(row.smoothness) for row in facts.rows),
     }

@@ -14,6 +14,7 @@ PACKAGES = ("casadi", "numpy", "matplotlib")
 def _context(facts: Facts) -> dict[str, Any]:
     return {
         "digest": facts.digest,
+        "snap": "snap" in facts.design.optimised.law.limits,
         "file": Path(facts.design.path).name,
         "versions": {"timelaw": __version__, "Python": platform.python_version()}
         | {name: version(name) for name in PACKAGES},
