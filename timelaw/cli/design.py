@@ -50,7 +50,7 @@ def _objective(done: Design) -> dict[str, Any]:
     gain = measure_gain(done)
     if gain is None:
         return {}
-    reference = gain.reference if isfinite(gain.reference) else None
+    reference = gain.reference if gain.reference is not None and isfinite(gain.reference) else None
     found = {"value": gain.value, "unit": gain.objective.unit, "quintic_at_equal_times": reference}
     return {"objective": {"minimise": gain.objective.name, **found, "gained": gain.part}}
 
@@ -83,7 +83,7 @@ def _print(done: Design, rows: list[LawRow], folder: Path) -> None:
                 row.name,
                 f"{row.duration:.4f}",
                 f"{row.to_quintic:.4f}",
-                f"{row.to_limit:.4f}",
+                f"{row.to_limit:.4f}" if isfinite(row.to_limit) else "-",
                 f"{max(row.peaks.values()):.6f}",
                 f"C{row.continuity}",
                 "yes" if row.limits_hold else "NO",

@@ -30,8 +30,11 @@ def has_coupling(rows: Sequence[Row]) -> bool:
     return any(row.couples for row in rows)
 
 
-def phase_plane_time(angle: float, rows: Sequence[Row]) -> float:
-    """Least time [s] from rest to rest under velocity, acceleration and torque, by quadrature."""
+def phase_plane_time(angle: float, legs: Sequence[Sequence[Row]]) -> float:
+    """Least time [s] from rest to rest over legs under velocity, acceleration and torque, by quadrature.
+
+    Where the legs differ in their rows, the loosest of them counts at each speed: a bound.
+    """
     from scipy.integrate import quad
     from scipy.optimize import brentq
 
@@ -39,7 +42,8 @@ def phase_plane_time(angle: float, rows: Sequence[Row]) -> float:
         """(angle, time) of going up to `top` and down again, v = top (1 - u²) to soften a slow end."""
 
         def inverse(v: float) -> float:
-            return sum(1 / limit if limit > 0 else inf for limit in acceleration_limits(rows, v))
+            loosest = map(max, zip(*(acceleration_limits(rows, v) for rows in legs), strict=True))
+            return sum(1 / limit if limit > 0 else inf for limit in loosest)
 
         def along(weight: Callable[[float], float]) -> float:
             def integrand(u: float) -> float:
@@ -50,7 +54,7 @@ def phase_plane_time(angle: float, rows: Sequence[Row]) -> float:
 
         return along(lambda v: v), along(lambda _: 1.0)
 
-    fastest = min(speed_limit(rows), FAST * angle) * (1 - TOLERANCE)
+    fastest = min(max(speed_limit(rows) for rows in legs), FAST * angle) * (1 - TOLERANCE)
     reached, time = integrals(fastest)
     if reached <= angle:
         return time + (angle - reached) / fastest

@@ -15,6 +15,7 @@ at most, some 1e-4 of the whole.
 """
 
 from collections.abc import Callable, Sequence
+from math import sqrt
 
 import numpy as np
 
@@ -49,6 +50,9 @@ def symmetric_time(angle: float, bounds: Sequence[float]) -> float:
     """
     if len(bounds) == 1:
         return angle / bounds[0]
+    if len(bounds) == 2:
+        top = min(bounds[0], sqrt(angle * bounds[1]))
+        return angle / top + top / bounds[1]
 
     def excess(top: float) -> float:
         """Positive where the plateau at `top` still lasts longer than the ramp up to it."""

@@ -25,20 +25,21 @@ class Gain:
 
     objective: Objective
     value: float
-    reference: float
+    reference: float | None
     reference_holds: bool
     arrivals: bool
 
     @property
     def part(self) -> float | None:
-        """How much less, as a part of the quintic's; None where the quintic's has no bound."""
-        return 1 - self.value / self.reference if isfinite(self.reference) and self.reference else None
+        """How much less, as a part of the quintic's; None where that has no bound or is no measure."""
+        return 1 - self.value / self.reference if self.reference and isfinite(self.reference) else None
 
 
 def measure_gain(design: Design) -> Gain | None:
     """What was gained in the objective at equal time; None where the time itself is what is made least.
 
-    The quintic is stretched to the times of arrival that are given, and to the total time of the law.
+    The quintic is stretched to the times of arrival that are given, and to the total time of the law. It
+    goes from rest to rest, and measures no motion that begins or ends at speed.
     """
     objective: Objective = OBJECTIVES[design.problem.objective.minimise]
     if objective.separable and len(design.route.legs) not in design.requirements.arrivals:
@@ -47,6 +48,8 @@ def measure_gain(design: Design) -> Gain | None:
     requirements, timings = design.requirements, design.solution.timings
     quintic = time_quintic(requirements, list_budgets(requirements, sum_durations(timings))).timings
     value = objective.measure(requirements.demands, timings)
+    if any(run.moving for run in requirements.by_run(design.route)):
+        return Gain(objective, value, None, False, bool(requirements.arrivals))
     smooth = objective.continuity <= PAPER_CONTINUITY
     reference = objective.measure(requirements.demands, quintic) if smooth else inf
     holds = used_fraction(requirements.demands, quintic) <= 1
@@ -57,21 +60,25 @@ def describe_outcome(design: Design, rows: Sequence[LawRow]) -> list[str]:
     """The law's time or effort against the quintic and the physical limit, and what its easing costs."""
     best = rows[0]
     limit = best.duration / best.to_limit
-    above = f"{100 * (best.to_limit - 1):.2f} % above the physical limit of {limit:.6g} s"
+    above = "; no physical limit of it is known"
+    if limit:
+        above = f", {100 * (best.to_limit - 1):.2f} % above the physical limit of {limit:.6g} s"
     gain = measure_gain(design)
     if gain is not None:
         free = design.problem.objective.weight is not None
         asked = "" if free else ", as asked"
-        return [f"The law takes {best.duration:.6g} s{asked}, {above}.", _describe_gain(gain)]
+        return [f"The law takes {best.duration:.6g} s{asked}{above}.", _describe_gain(gain)]
     less = "less" if best.to_quintic <= 1 else "more"
     change = f"{abs(100 * (1 - best.to_quintic)):.1f} % {less} than the paper's quintic"
-    first = f"The optimised law takes {best.duration:.6g} s: {change}, {above}."
+    first = f"The optimised law takes {best.duration:.6g} s: {change}{above}."
     return [first, *_describe_cost(design, rows, limit)]
 
 
 def _describe_gain(gain: Gain) -> str:
     objective, unit = gain.objective, f" {gain.objective.unit}" if gain.objective.unit else ""
     found = f"Its {objective.symbol} is {gain.value:.5g}{unit}"
+    if gain.reference is None:
+        return f"{found}; the quintic goes from rest to rest, and is no measure of a motion that does not."
     if gain.part is None:
         return f"{found}; that of the quintic has no bound, for a rate below it jumps at the nodes."
     less = "less" if gain.part >= 0 else "more"
@@ -96,7 +103,11 @@ def _describe_cost(design: Design, rows: Sequence[LawRow], limit: float) -> list
     if reference is None or best.duration <= reference.duration * (1 + NOTICEABLE):
         return told
     cost = f"{100 * (best.duration / reference.duration - 1):.2f} % against {reference.words}"
-    gives = "; for that its jerk does not jump inside the legs" if design.family.inside >= 3 else ""
+    gives = (
+        "; for that its jerk does not jump inside the legs"
+        if design.optimised.certificate.continuity.inside >= 3
+        else ""
+    )
     nearer = within / 10 if easing.kind.searched else 0.01
     ways = [
         *(["{basis: double-s}"] if reference.chosen else []),

@@ -18,8 +18,8 @@ from timelaw.time_law.baselines import QUINTIC, time_quintic
 class LawRow:
     """One law beside the others: times in s, `peaks` as proved peak over limit.
 
-    `smoothness` is ∫|jerk|² dt, infinite where ω or α jumps. A law `holds` if its limits do and it is as
-    smooth as was asked of it.
+    `to_limit` is infinite where no bound on the time is known, `smoothness` = ∫|jerk|² dt where ω or α
+    jumps. A law `holds` if its limits do and it is as smooth as was asked of it.
     """
 
     name: str
@@ -34,7 +34,8 @@ class LawRow:
 
     def to_dict(self) -> dict[str, Any]:
         """As `--json` prints it: null for what has no bound."""
-        return {**self.__dict__, "smoothness": self.smoothness if isfinite(self.smoothness) else None}
+        unbounded = {name: None for name in ("smoothness", "to_limit") if not isfinite(self.__dict__[name])}
+        return {**self.__dict__, **unbounded}
 
 
 @dataclass(frozen=True)
@@ -71,13 +72,17 @@ def _row(entry: Certified, slowest: float, least: float) -> LawRow:
         entry.name,
         certificate.duration,
         certificate.duration / slowest,
-        certificate.duration / least,
+        _exceed(certificate.duration, least),
         {check.limit: check.ratio for check in certificate.limits},
         certificate.continuity.order,
         measure_effort(entry.law, certificate.continuity, 3),
         certificate.holds,
         certificate.limits_hold,
     )
+
+
+def _exceed(duration: float, least: float) -> float:
+    return duration / least if least else inf
 
 
 def list_run_rows(design: Design) -> list[RunRow]:
@@ -98,7 +103,7 @@ def _run_row(count: int, demands: Sequence[Demand], least: float, solution: Solu
         count,
         tuple(demand.angle for demand in demands),
         solution.duration,
-        solution.duration / least,
+        _exceed(solution.duration, least),
         solution.status.value,
         solution.rounds,
         solution.iterations,

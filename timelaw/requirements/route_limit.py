@@ -1,5 +1,7 @@
 """The physical limit of a route: one rule, by which everything is measured that is compared with it."""
 
+from math import inf
+
 from timelaw.least_time.physical_limit import run_limit
 from timelaw.requirements.requirements import Requirements
 from timelaw.requirements.run_demand import RunDemand
@@ -31,6 +33,6 @@ def _time_after(runs: list[RunDemand], limits: list[float], node: int) -> float:
         if len(rest) == len(run.demands):
             time += limit
         elif rest:
-            time += run_limit(rest, moving=True)
+            time += run_limit(rest, (inf, run.speeds[1]))
         first += len(run.demands)
     return time

@@ -21,6 +21,11 @@ class RunDemand:
         return any(self.start) or any(self.end)
 
     @property
+    def speeds(self) -> tuple[float, float]:
+        """φ' [rad/s] at its ends."""
+        return (*self.start, 0.0)[0], (*self.end, 0.0)[0]
+
+    @property
     def elastic(self) -> bool:
         """Whether stretching time leaves everything true but the times."""
         return not self.moving and all(demand.duration is None for demand in self.demands)
@@ -28,7 +33,7 @@ class RunDemand:
     @cached_property
     def limit(self) -> float:
         """A time [s] that no motion over it beats."""
-        return run_limit(self.demands, moving=self.moving)
+        return run_limit(self.demands, self.speeds if self.moving else None)
 
     def key(self) -> tuple[object, ...]:
         """Equal for runs that have equal solutions."""

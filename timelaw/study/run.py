@@ -94,7 +94,7 @@ def _outcome(point: dict[str, Any], design: Design) -> Outcome:
         point,
         row.holds,
         row.duration,
-        row.to_limit,
+        row.to_limit if isfinite(row.to_limit) else None,
         row.continuity,
         measure_all_efforts(design),
         row.peaks,
