@@ -243,3 +243,12 @@ def test_demands_that_cannot_be_met_say_what_would_have_to_give(tmp_path, lines)
         make(tmp_path, lines)
     assert IMPOSSIBLE[lines] in str(error.value)
     assert error.value.exit_code == 3
+
+
+def test_the_double_s_keeps_fixed_durations_and_is_as_smooth_as_ever(tmp_path):
+    """A fixed leg in the middle of a run: the profile is cut where it begins and ends, or ω would jump there."""
+    designed = make(tmp_path, "segments: {12-11: {duration: 5 s}}")
+    for entry in designed.baselines:
+        fixed = next(s for s in entry.law.segments if s.name == "12–11")
+        assert fixed.duration == pytest.approx(5.0, rel=1e-12)
+        assert entry.certificate.continuity.order >= 2 - (entry.name != "quintic")

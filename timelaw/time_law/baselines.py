@@ -37,9 +37,12 @@ def time_double_s(
 ) -> TimeLaw:
     """The double-S profile over every run, or with `stop` over every leg, from rest to rest.
 
-    A run in which a time of arrival is given is cut there, since its parts are stretched apart.
+    A run in which a time of arrival is given is cut there, since its parts are stretched apart; so it is
+    where a leg begins or ends whose duration is fixed.
     """
-    cut = replace(requirements, stops=requirements.stops | {budget.legs for budget in budgets})
+    fixed = {k for k, demand in enumerate(requirements.demands) if demand.duration is not None}
+    nodes = {budget.legs for budget in budgets} | fixed | {k + 1 for k in fixed}
+    cut = replace(requirements, stops=requirements.stops | nodes)
     known: dict[object, tuple[Timing, ...]] = {}
     timings: list[Timing] = []
     for run in cut.by_run(route, stop=stop):
