@@ -114,8 +114,22 @@ def test_a_law_for_wheels_reads_back_and_verifies(tmp_path, name):
     assert read.findings() == []
     assert compare_with_record(read, document) == []
     altered = json.loads(json.dumps(document))
-    altered["body"]["actuator"] = "external"
+    altered["body"] = {"inertia": altered["body"]["inertia"]}
     assert compare_with_record(certify(from_document(altered)), altered)
+
+
+def test_a_total_momentum_without_wheels_is_refused_in_a_law_file(tmp_path):
+    designed = make(tmp_path, *CASES["with net momentum"])
+    document = json.loads(format_law(designed.optimised.law, designed.optimised.certificate, {}))
+    document["body"]["actuator"] = "external"
+    with pytest.raises(InputError, match="a total momentum belongs to the actuator"):
+        from_document(document)
+
+
+def test_a_limit_that_rounding_alone_leaves_above_the_total_momentum_is_refused(tmp_path):
+    total = float(np.linalg.norm([0.2, -0.3, 0.6]))  # 0.7 but for the last digit
+    with pytest.raises(InputError, match="a limit above it is needed"):
+        make(tmp_path, "0.2 N*m*s, -0.3 N*m*s, 0.6 N*m*s", "0.4 N*m", f"{np.nextafter(total, 1)} N*m*s")
 
 
 def test_what_the_wheels_do_is_not_what_a_torque_from_outside_would_do(tmp_path):

@@ -1,10 +1,10 @@
 """What a law file may hold, as models: its head, and segments of every kind."""
 
-from typing import TYPE_CHECKING, Annotated, Any, Literal, Union
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Self, Union
 
-from pydantic import AfterValidator, BeforeValidator, Field
+from pydantic import AfterValidator, BeforeValidator, Field, model_validator
 
-from timelaw.limits.body import EXTERNAL
+from timelaw.limits.body import EXTERNAL, WHEELS
 from timelaw.limits.torque import ACTUATORS
 from timelaw.motion.kinds import KINDS
 from timelaw.motion.schema import BoundsDocument, Duration, Part, Vector3
@@ -35,6 +35,12 @@ class BodyDocument(Part):
     inertia: Annotated[list[Vector3], Field(min_length=3, max_length=3)]
     actuator: Annotated[str, AfterValidator(_known_actuator)] = EXTERNAL
     momentum: Vector3 = Field(default_factory=lambda: [0.0, 0.0, 0.0])
+
+    @model_validator(mode="after")
+    def _momentum_is_the_wheels(self) -> Self:
+        if any(self.momentum) and self.actuator != WHEELS:
+            raise ValueError(f'a total momentum belongs to the actuator "{WHEELS}"')
+        return self
 
 
 class RatesDocument(Part):

@@ -13,6 +13,7 @@ from timelaw.numerics.array import Array
 
 UNIT = "N·m·s"
 NOTE = "|H| of {:.6g} N·m·s counts in full, for it turns against the body: |H - Jω| ≤ |H| + |Jω| is used"
+ROUNDING = 1e-9  # relative; so little left for the body to turn with is what rounding left
 
 
 @dataclass(frozen=True)
@@ -55,6 +56,6 @@ class Momentum:
 def find_contradiction(bounds: Bounds, body: RigidBody) -> str:
     """Why a limit on the stored momentum can hold at no time at all; empty if it can."""
     total, given = body.total_momentum, float(np.min(bounds))
-    if total < given:
+    if total < given * (1 - ROUNDING):
         return ""
     return f"the total momentum |H| is {total:.6g} N*m*s; a limit above it is needed, not {given:.6g} N*m*s"
