@@ -252,3 +252,28 @@ def test_the_double_s_keeps_fixed_durations_and_is_as_smooth_as_ever(tmp_path):
         fixed = next(s for s in entry.law.segments if s.name == "12–11")
         assert fixed.duration == pytest.approx(5.0, rel=1e-12)
         assert entry.certificate.continuity.order >= 2 - (entry.name != "quintic")
+
+
+@pytest.mark.parametrize("factor", [1.0, 1 + 1e-7, 1 - 5e-7, 1 + 3e-6])
+@pytest.mark.parametrize(
+    "easing", ["{basis: polynomial, degree: 9}", "{basis: spline, degree: 5, intervals: 8}"]
+)
+def test_with_hardly_any_room_the_least_peak_holds_its_limits_or_is_refused(tmp_path, factor, easing):
+    """The earliest arrival at a node and at the end, more or less rounding: no law 1e-7 above its limits."""
+    lines = (f"easing: {easing}",)
+    base = {"easing: {basis: polynomial, degree: 9}": ""}
+    least = make(tmp_path, *lines, **base).optimised.law
+    first = next(s for s in least.segments if s.target == "3")
+    given = (
+        f"nodes: {{at: {{3: {{time: {first.end_time * factor!r} s}}}}}}",
+        f"objective: {{minimise: peak, total_time: {least.duration * factor!r} s}}",
+    )
+    try:
+        designed = make(tmp_path, *lines, *given, **base)
+    except InfeasibleError as error:
+        refused = error.faults[0].message
+    else:
+        verified(designed)
+        return
+    assert factor < 1 + 1e-6
+    assert "the limits would have to be 1.0000" in refused

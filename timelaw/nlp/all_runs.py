@@ -68,10 +68,12 @@ def solve_together(
     solution = solve_from(program, start)
     if solution is not None:
         used = used_fraction(program.demands, solution.timings)
-        if scales and used > 1 + AT_MINIMUM:
-            raise InfeasibleError(_beyond(used, where))
-        if scales or used <= 1:
+        if used <= 1:
             return _on_time(runs, solution, budgets)
+        if scales and elastic and used_fraction(program.demands, start) <= 1:
+            return Solution(start, Status.STRETCHED)
+        if scales:
+            raise InfeasibleError(_beyond(used, where))
     peak = solve_from(replace(program, objective=LEAST_PEAK, weight=None), start)
     used = inf if peak is None else used_fraction(program.demands, peak.timings)
     if elastic and used > 1 and used_fraction(program.demands, start) <= 1:
@@ -81,13 +83,14 @@ def solve_together(
     if used > 1:
         raise InfeasibleError(_beyond(used, where))
     solution = solve_from(program, peak.timings)
-    if solution is not None and (scales or used_fraction(program.demands, solution.timings) <= 1):
+    if solution is not None and used_fraction(program.demands, solution.timings) <= 1:
         return replace(_on_time(runs, solution, budgets), status=Status.SECOND_START)
     return replace(_on_time(runs, peak, budgets), status=Status.LEAST_PEAK)
 
 
 def _beyond(used: float, where: str) -> Fault:
-    return Fault(f"within the given times the limits would have to be {used:.6g} times as large", where)
+    times = f"{used:.6g}" if used > 1 + AT_MINIMUM else f"{used:.9g}"
+    return Fault(f"within the given times the limits would have to be {times} times as large", where)
 
 
 def stretch_to(
