@@ -1,4 +1,4 @@
-"""Fastest tours: the clock against the scalar closed forms, all permutations of small sets, bounds, runs."""
+"""Fastest tours: travel times against the scalar closed forms, all permutations of small sets, bounds, runs."""
 
 from itertools import pairwise, permutations
 
@@ -22,7 +22,7 @@ LIMITS = {"velocity": 1.0, "acceleration": 2.0, "jerk": 10.0}
 BY_AXIS = {"velocity": (1.0, 0.5, 2.0), "acceleration": (2.0, 2.0, 1.0), "jerk": 10.0}
 
 
-def clock(q, limits=None, inertia=None, passable=None):
+def travel_times(q, limits=None, inertia=None, passable=None):
     return TravelTimes(
         q,
         make_limits(limits or LIMITS, None if inertia is None else RigidBody(inertia)),
@@ -49,9 +49,9 @@ def test_many_times_at_once_are_those_one_by_one():
 @pytest.mark.parametrize(
     "limits", [LIMITS, BY_AXIS, {**BY_AXIS, "momentum": (3.0, 1.0, 2.0)}, {"velocity": 1.0, "momentum": 2.0}]
 )
-def test_the_clock_agrees_with_the_rows_of_each_leg(limits):
+def test_travel_times_agree_with_the_rows_of_each_leg(limits):
     q, inertia = unit_quaternions(np.random.default_rng(4), 12), np.diag([2.0, 3.0, 4.0])
-    times = clock(q, limits, inertia).legs
+    times = travel_times(q, limits, inertia).legs
     for i, j in permutations(range(12), 2):
         turn = (
             Rotation.from_quat(q[i], scalar_first=True).inv() * Rotation.from_quat(q[j], scalar_first=True)
@@ -91,7 +91,7 @@ def test_small_sets_by_all_permutations(points, start, end):
     }[points]
     orders = [o for o in permutations(range(7)) if start in (None, o[0]) and end in (None, o[-1])]
     best = min(slow_duration(q, order, LIMITS) for order in orders)
-    found = find_fastest(clock(q), Ends(False, start, end))
+    found = find_fastest(travel_times(q), Ends(False, start, end))
     (merit,) = found.merits
     assert merit.value == pytest.approx(best, rel=1e-9)
     assert merit.is_best
@@ -100,14 +100,14 @@ def test_small_sets_by_all_permutations(points, start, end):
 
 def test_a_closed_tour_may_rest_anywhere():
     q = make_lattice("24-cell")[[0, 4, 8, 5, 11, 7]]
-    found = find_fastest(clock(q), Ends(True))
+    found = find_fastest(travel_times(q), Ends(True))
     best = min(slow_duration(q, (*order, order[0]), LIMITS) for order in permutations(range(6)))
     assert found.merits[0].value == pytest.approx(best, rel=1e-9)
 
 
 def test_the_24_cell():
     found = find_fastest(
-        clock(
+        travel_times(
             make_lattice("24-cell"), {k: np.radians(v) for k, v in zip(LIMITS, (60, 120, 600), strict=True)}
         ),
         Ends(),
@@ -118,9 +118,11 @@ def test_the_24_cell():
 
 def test_nodes_that_must_be_rested_at_are_no_part_of_a_run():
     q = raster()
-    free, resting = (find_fastest(clock(q, passable=p), Ends()).merits[0].value for p in (range(7), ()))
+    free, resting = (
+        find_fastest(travel_times(q, passable=p), Ends()).merits[0].value for p in (range(7), ())
+    )
     assert resting > free
-    assert resting == pytest.approx(find_fastest(clock(q, passable=[0]), Ends()).merits[0].value)
+    assert resting == pytest.approx(find_fastest(travel_times(q, passable=[0]), Ends()).merits[0].value)
 
 
 @pytest.mark.parametrize("points", ["random", "grid"])
@@ -133,7 +135,7 @@ def test_larger_sets_have_a_bound_that_holds(points):
         if points == "random"
         else Rotation.from_euler("ZY", grid, degrees=True).as_quat(scalar_first=True)
     )
-    timed = clock(q)
+    timed = travel_times(q)
     found = find_fastest(timed, Ends())
     (merit,) = found.merits
     assert sorted(found.order) == list(range(20))
@@ -150,12 +152,12 @@ def test_the_bound_is_below_the_exact_time_where_both_are_known(monkeypatch):
     for seed in range(2):
         q = np.concatenate([raster(), unit_quaternions(np.random.default_rng(seed), 2)])
         for limits in (LIMITS, BY_AXIS):
-            exact = find_fastest(clock(q, limits), Ends()).merits[0].value
+            exact = find_fastest(travel_times(q, limits), Ends()).merits[0].value
             with monkeypatch.context() as patch:
                 patch.setattr(module, "MOST_NODES", 0)
-                searched = find_fastest(clock(q, limits), Ends()).merits[0]
+                searched = find_fastest(travel_times(q, limits), Ends()).merits[0]
                 patch.setattr(TravelTimes, "most_runs", 0)
-                coarse = find_fastest(clock(q, limits), Ends()).merits[0]
+                coarse = find_fastest(travel_times(q, limits), Ends()).merits[0]
             assert coarse.bound <= searched.bound * (1 + 1e-9)
             assert searched.bound <= exact * (1 + 1e-9)
             assert searched.value >= exact * (1 - 1e-9)
@@ -165,13 +167,13 @@ def test_the_bound_is_below_the_exact_time_where_both_are_known(monkeypatch):
 def test_torque_is_timed_by_the_phase_plane():
     q, inertia = unit_quaternions(np.random.default_rng(2), 4), np.diag([12.0, 10.0, 8.0])
     limits = {"velocity": 0.1, "torque": (0.2, 0.2, 0.1)}
-    timed = clock(q, limits, inertia)
+    timed = travel_times(q, limits, inertia)
     found = find_fastest(timed, Ends())
     assert found.merits[0].value == pytest.approx(
         min(sum(timed.legs[a, b] for a, b in pairwise(o)) for o in permutations(range(4))), rel=1e-12
     )
     with pytest.raises(InputError, match="with a torque limit, 60 orientations at most can be timed, not 61"):
-        _ = clock(unit_quaternions(np.random.default_rng(2), 61), limits, inertia).legs
+        _ = travel_times(unit_quaternions(np.random.default_rng(2), 61), limits, inertia).legs
 
 
 def test_a_leg_without_a_limit():
