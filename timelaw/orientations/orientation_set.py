@@ -62,7 +62,7 @@ def _read(spec: Orientations, folder: Path) -> OrientationSet:
     if spec.uniform is not None:
         points, name = make_uniform(spec.uniform.fill)
         apart, fill = np.degrees([measure_separation(points), measure_covering_radius(points)])
-        spread = f"separation {apart:.2f}°, fill {fill:.2f}°"
+        spread = f"separation {apart:.2f}°, covering radius {fill:.2f}°"
         note = f"{name or 'super-Fibonacci spiral'} of {len(points)} orientations, {spread}"
         return OrientationSet(points, _numbers(len(points)), name or "uniform", name, notes=(note,))
     writing = None

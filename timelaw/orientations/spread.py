@@ -1,4 +1,4 @@
-"""How evenly a set of orientations is spread: its separation and its fill distance, measured exactly."""
+"""How evenly a set of orientations is spread: its separation and its covering radius, measured exactly."""
 
 import numpy as np
 

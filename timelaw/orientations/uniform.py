@@ -1,7 +1,7 @@
-"""Uniform sets by fill distance: a lattice where one is fine enough, else a super-Fibonacci spiral.
+"""Uniform sets by covering radius: a lattice where one is fine enough, else a super-Fibonacci spiral.
 
 Spirals on S³ (Alexa, CVPR 2022): q_i = (√(s/n) sin α, √(s/n) cos α, √(1 - s/n) sin β, √(1 - s/n) cos β),
-s = i + ½, α = 2πs/√2, β = 2πs/ψ, ψ⁴ = ψ + 4. The fill distance is measured on the set itself, not
+s = i + ½, α = 2πs/√2, β = 2πs/ψ, ψ⁴ = ψ + 4. The covering radius is measured on the set itself, not
 taken from a formula.
 """
 
@@ -16,7 +16,7 @@ MOST_ORIENTATIONS = 5000  # what a tour is searched for: a search holds all dist
 PSI = 1.533751168755204288118041  # the root > 1 of x⁴ = x + 4
 NEEDED = 60.0  # n ρ³ of the finest spirals, measured: 64 to 80 for ρ of 15° to 60°
 STEP = 1.02  # sets grow by this factor until one is fine enough
-ROUNDING = 1e-9  # of the fill distance: 90° is what the 24-cell has
+ROUNDING = 1e-9  # of the covering radius: 90° is what the 24-cell has
 
 
 def make_spiral(count: int) -> Array:
@@ -30,7 +30,7 @@ def make_spiral(count: int) -> Array:
 
 
 def make_uniform(fill: float) -> tuple[Array, str | None]:
-    """A set whose fill distance is at most `fill` [rad], and the lattice's name if it is one.
+    """A set whose covering radius is at most `fill` [rad], and the lattice's name if it is one.
 
     The smallest of the lattices that do, otherwise the first spiral in a growing series.
 

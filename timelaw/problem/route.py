@@ -22,7 +22,7 @@ ALIASES = {"form": "as"}
 
 
 class Uniform(Model):
-    """A uniform set whose fill distance, the body's turn to the nearest one, is at most `fill`."""
+    """A uniform set whose covering radius, the body's turn to the nearest one, is at most `fill`."""
 
     fill: Annotated[float, quantity(ANGLE, LEAST_FILL, LARGEST_FILL)]
 
