@@ -8,12 +8,14 @@ import pytest
 from tests.cases import demand, demands, random_limits
 from tests.oracles import QUINTIC_PEAKS, LinearProgram, smoothstep_duration
 from timelaw.easing.family import PolynomialFamily, SplineFamily
+from timelaw.easing.registry import BASES
 from timelaw.easing.time_scaling import used_fraction
 from timelaw.least_time.double_s import double_s_time
 from timelaw.nlp import RunProblem, Status
 from timelaw.nlp import exchange as exchange_module
 from timelaw.nlp.ipopt import Outcome
 from timelaw.nlp.single_runs import solve_run
+from timelaw.problem.problem import EasingModel
 
 DEG = np.pi / 180
 ROBOT = {"velocity": 60 * DEG, "acceleration": 120 * DEG, "jerk": 600 * DEG}
@@ -257,3 +259,16 @@ def test_an_optimum_that_equals_the_closed_form_is_not_called_a_failure():
     solution = solve_run(RunProblem((leg,), SplineFamily(3, 28, 2)))
     assert solution.status is Status.OPTIMAL
     assert solution.rounds >= 1
+
+
+@pytest.mark.parametrize(
+    ("continuity", "degree"), [(r, p) for r in (1, 2, 3, 4) for p in range(max(3, r + 1), 8)]
+)
+def test_the_fewest_intervals_that_a_spline_may_have_give_a_law(continuity, degree):
+    """With nothing left to choose but the durations; on two legs too, where the node's rates are chosen."""
+    fewest = BASES["spline"].least_intervals(EasingModel(basis="spline", degree=degree), continuity)
+    family = SplineFamily(degree, fewest, continuity)
+    limits = ROBOT if continuity > 1 else {k: v for k, v in ROBOT.items() if k != "jerk"}
+    for angles in ((1.0,), (0.5, 0.7)):
+        solution = solve_run(RunProblem(demands(angles, limits), family))
+        assert used_fraction(demands(angles, limits), solution.timings) <= 1

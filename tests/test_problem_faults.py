@@ -83,6 +83,8 @@ CASES = {
     "degree too low": (GOOD + "easing: {degree: 4}\n", "8:18: easing.degree: 4; a polynomial has a degree of 5 to 31"),
     "degree too high": (GOOD + "easing: {degree: 32}\n", "8:18: easing.degree: 32; at most 31 is allowed"),
     "degree not whole": (GOOD + "easing: {degree: 9.5}\n", "8:18: easing.degree: 9.5; a whole number is needed"),
+    "too few intervals": (GOOD + "nodes: {continuity: 4}\neasing: {basis: spline, degree: 5, intervals: 4}\n", "9:47: easing.intervals: 4; continuity 4 at the nodes needs 5 or more, or a higher degree"),
+    "too few intervals for the degree that suits": (GOOD + "nodes: {continuity: 4}\neasing: {basis: spline, intervals: 3}\n", "9:36: easing.intervals: 3; continuity 4 at the nodes needs 4 or more, or a higher degree"),
     "degree for continuity": (GOOD + "nodes: {continuity: 3}\neasing: {degree: 6}\n", "9:18: easing.degree: 6; continuity 3 at the nodes needs degree 7 or more"),
     "objective": (GOOD + "objective: tme\n", '8:12: objective: "tme"; allowed: time, or a mapping like {minimise: jerk, total_time: 60 s}'),
     "baseline": (GOOD + "baselines: [quintic, double]\n", '8:22: baselines[2]: "double"; allowed: quintic, double-s; did you mean "double-s"?'),

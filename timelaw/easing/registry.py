@@ -31,7 +31,8 @@ class BasisKind:
     """One basis: the keys that belong to it, its degrees, and the families that it stands for.
 
     `families(settings, r)` gives those to be tried for continuity r, what the file leaves open being
-    the least that suits r. `least_degree(r)` is the least that carries continuity r. A basis in
+    the least that suits r. `least_degree(r)` is the least that carries continuity r, and so is
+    `least_intervals(settings, r)`: of fewer, both ends ask for more coefficients than there are. A basis in
     `pieces` of degree p jumps inside in its p-th derivative; a `rigid` one has nothing to choose.
     """
 
@@ -39,6 +40,7 @@ class BasisKind:
     keys: tuple[str, ...] = ()
     degrees: tuple[int, int] = (0, MAX_DEGREE)
     least_degree: Callable[[int], int] = lambda r: 2 * r + 1
+    least_intervals: Callable[[Settings, int], int] = lambda _, __: 1
     pieces: bool = False
     rigid: bool = False
     searched: bool = False
@@ -60,6 +62,11 @@ def _spline(settings: Settings, r: int) -> Iterator[Family]:
     yield SplineFamily(settings.degree or _spline_degree(r), settings.intervals or INTERVALS, r)
 
 
+def _least_intervals(settings: Settings, r: int) -> int:
+    """N of the n + p coefficients, r + 1 of which each end takes."""
+    return max(1, 2 * (r + 1) - (settings.degree or _spline_degree(r)))
+
+
 def _double_s(_: Settings, r: int) -> Iterator[Family]:
     yield DoubleSFamily(r)
 
@@ -72,7 +79,9 @@ def _auto(_: Settings, r: int) -> Iterator[Family]:
 
 BASES: dict[str, BasisKind] = {
     "polynomial": BasisKind(_polynomial, ("degree",), (5, MAX_DEGREE)),
-    "spline": BasisKind(_spline, ("degree", "intervals"), (3, 7), lambda r: r + 1, pieces=True),
+    "spline": BasisKind(
+        _spline, ("degree", "intervals"), (3, 7), lambda r: r + 1, _least_intervals, pieces=True
+    ),
     "double-s": BasisKind(_double_s, rigid=True),
     "auto": BasisKind(_auto, ("within",), searched=True),
 }

@@ -69,13 +69,17 @@ class Problem(Model):
     output: Output = Output()
 
     @model_validator(mode="after")
-    def _degree_carries_continuity(self) -> Self:
+    def _basis_carries_continuity(self) -> Self:
         r, degree = self.nodes.continuity, self.easing.degree
         least = self.easing.kind.least_degree(r)
         if degree is not None and degree < least:
             raise fault(
                 f"{degree}; continuity {r} at the nodes needs degree {least} or more", "easing", "degree"
             )
+        intervals, fewest = self.easing.intervals, self.easing.kind.least_intervals(self.easing, r)
+        if intervals is not None and intervals < fewest:
+            needed = f"continuity {r} at the nodes needs {fewest} or more, or a higher degree"
+            raise fault(f"{intervals}; {needed}", "easing", "intervals")
         return self
 
     @model_validator(mode="after")
