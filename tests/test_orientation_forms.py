@@ -274,7 +274,7 @@ def test_fine_uniform_sets_fill_as_they_say(fill):
     """No random orientation is farther away, some come near; separation by all pairs."""
     found = read(f"uniform: {{fill: {fill} deg}}")
     text = found.notes[0]
-    measured = float(text.split("fill ")[1].removesuffix("°"))
+    measured = float(text.split("covering radius ")[1].removesuffix("°"))
     farthest = max(nearest(found.quaternions, unit_quaternions(RNG, 20_000)))
     assert 0.9 * measured < farthest < measured + 0.005
     assert measured <= fill + 0.005
@@ -287,7 +287,7 @@ def test_fine_uniform_sets_fill_as_they_say(fill):
     ("name", "fill"),
     [("16-cell", 120), ("tesseract", 120), ("24-cell", 90), ("600-cell", 44.47751218592993)],
 )
-def test_fill_distances_of_the_lattices(name, fill):
+def test_covering_radii_of_the_lattices(name, fill):
     """Twice the circumradius of the cells: 60° of the 16-cell's tetrahedra and the tesseract's cubes,
 
     45° of the octahedra, and arccos(φ²/√8) = 22.2388° of the 600-cell's tetrahedra.
