@@ -197,6 +197,10 @@ def test_other_objectives_say_what_was_gained_at_equal_time():
         in text
     )
     assert "than the paper's quintic" not in text
+    for entry in designed.baselines:  # in the given times they break limits; the worst is named first
+        worst = max(entry.certificate.limits, key=lambda check: check.ratio)
+        assert worst.ratio > 1
+        assert f"{entry.name}: {worst.limit} reaches" in text
 
 
 @pytest.mark.parametrize("objective", ["jerk", "energy", "torque", "snap", "peak"])

@@ -47,11 +47,11 @@ class Certificate:
         return found
 
     def limit_findings(self) -> list[str]:
-        """Limits that are broken, and jumps where one cannot hold."""
+        """Limits that are broken, the worst first, and jumps where one cannot hold."""
         found = [
             f"{c.limit} reaches {c.peak:.9g} {c.unit} in {c.segment} at t = {c.time:.6f} s, "
             f"over the limit of {c.bound:.9g} {c.unit} by {-c.margin:.2e} of it"
-            for c in self.limits
+            for c in sorted(self.limits, key=lambda c: c.margin)
             if not c.holds
         ]
         return [*found, *self._jumps()]
