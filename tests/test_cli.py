@@ -59,7 +59,7 @@ def alter(folder, tmp_path, change):
 def test_verify_catches_an_altered_law(designed, tmp_path, what):
     def change(segments):
         if what == "control point":
-            segments[1]["easing"]["bernstein"][0][4] += 1e-9
+            segments[1]["pieces"][0]["bernstein"][4] += 1e-9
         elif what == "duration":
             segments[1]["duration"] *= 0.999
         else:

@@ -9,9 +9,10 @@ from numpy.polynomial import polynomial as power
 
 from tests.cases import control_points, demand, demands, random_limits
 from tests.oracles import QUINTIC, QUINTIC_PEAKS, SEPTIC, SEPTIC_PEAKS, smoothstep_duration
-from timelaw.easing import Easing, Timing, smoothstep, time_scaling
+from timelaw.easing import Profile, Timing, smoothstep, time_scaling
 from timelaw.easing.double_s_easing import cut_double_s, fit_double_s
 from timelaw.easing.polynomial_basis import PolynomialBasis
+from timelaw.easing.profile import Piece
 from timelaw.easing.time_scaling import fit_to_limits, used_fraction
 from timelaw.errors import InfeasibleError
 from timelaw.least_time.double_s import double_s_time, list_phases, ramp_times
@@ -23,7 +24,7 @@ TAU = np.linspace(0, 1, 101)
 @pytest.mark.parametrize(("continuity", "coefficients"), [(2, QUINTIC), (3, SEPTIC)])
 @pytest.mark.parametrize("order", [0, 1, 2, 3])
 def test_smoothsteps_are_the_quintic_and_the_septic(continuity, coefficients, order):
-    easing = Easing.single(smoothstep.control_points(continuity))
+    easing = Profile.single(smoothstep.control_points(continuity), continuity)
     np.testing.assert_allclose(
         easing(TAU, order), power.polyval(TAU, power.polyder(coefficients, order)), atol=1e-11
     )
@@ -121,7 +122,7 @@ def test_written_double_s_holds_its_limits_close_to_the_closed_form(seed):
     total = sum(t.duration for t in timings)
     ideal = double_s_time(sum(angles), *bounds)
     assert ideal <= total * (1 + 1e-12)
-    assert total <= ideal * (1 + 3e-5)  # no phase is shorter than 2e-5 of the run
+    assert total <= ideal * (1 + 1e-11)
     assert used_fraction(demands(angles, given), timings) <= 1
 
 
@@ -147,7 +148,7 @@ def test_the_basis_meets_what_is_asked_at_both_ends(degree, continuity):
     rng = np.random.default_rng(degree)
     basis = PolynomialBasis(degree, continuity)
     left, right = rng.normal(size=(2, continuity + 1))
-    easing = Easing.single(control_points(basis, left, rng.normal(size=basis.free), right))
+    easing = Profile.single(control_points(basis, left, rng.normal(size=basis.free), right))
     for i in range(continuity + 1):
         assert easing(0.0, i) == pytest.approx(left[i], abs=1e-9)
         assert easing(1.0, i) == pytest.approx(right[i], abs=1e-7)
@@ -156,14 +157,14 @@ def test_the_basis_meets_what_is_asked_at_both_ends(degree, continuity):
 @pytest.mark.parametrize(("degree", "continuity"), [(9, 2), (31, 2), (11, 3)])
 def test_a_smoothstep_survives_the_way_into_the_basis_and_back(degree, continuity):
     basis = PolynomialBasis(degree, continuity)
-    easing = Easing.single(smoothstep.control_points(continuity))
+    easing = Profile.single(smoothstep.control_points(continuity), continuity)
     rest = np.eye(continuity + 1)[0]
     control = control_points(basis, 0 * rest, basis.free_of(easing), rest)
-    np.testing.assert_allclose(Easing.single(control)(TAU, 3), easing(TAU, 3), atol=1e-8)
+    np.testing.assert_allclose(Profile.single(control)(TAU, 3), easing(TAU, 3), atol=1e-8)
 
 
 def test_sides_of_a_break_and_the_domain():
-    easing = Easing(np.array([0.0, 0.25, 1.0]), (np.array([0.0, 0.5]), np.array([0.5, 1.0])))
+    easing = Profile.from_control_points([0.0, 0.25, 1.0], ([0.0, 0.5], [0.5, 1.0]), 0)
     assert easing(0.25, 1, "left") == 2.0
     assert easing(0.25, 1, "right") == pytest.approx(2 / 3)
     assert easing(np.array([0.0, 0.25, 1.0])).tolist() == [0.0, 0.5, 1.0]
@@ -174,28 +175,28 @@ def test_sides_of_a_break_and_the_domain():
 @pytest.mark.parametrize("factor", [0.2, 1.0, 7.0])
 def test_the_stretch_is_exact_both_ways(factor):
     demanded = [demand(2.0, {"velocity": 1.0, "acceleration": 2.0, "jerk": 10.0})]
-    timing = Timing(factor * 3.0, Easing.single(smoothstep.control_points(2)))
+    timing = Timing(factor * 3.0, Profile.single(smoothstep.control_points(2)))
     fitted = fit_to_limits(demanded, [timing])
     assert fitted[0].duration == pytest.approx(smoothstep_duration(QUINTIC_PEAKS, 2.0, (1, 2, 10)), rel=1e-11)
     assert used_fraction(demanded, fitted) <= 1
 
 
-def test_an_easing_leaves_its_callers_arrays_as_they_are():
-    breaks, piece = np.array([0.0, 1.0]), np.array([0.0, 0.2, 1.0])
-    easing = Easing(breaks, (piece,))
-    breaks[0], piece[1] = 5.0, 5.0
-    assert easing.breaks[0] == 0.0
-    assert easing.pieces[0][1] == 0.2
-    for array in (easing.breaks, *easing.pieces):
+def test_a_profile_leaves_its_callers_arrays_as_they_are():
+    state, control = np.array([0.0, 0.5]), np.array([0.0, 0.2, 1.0])
+    profile = Profile((Piece(1.0, state, control),))
+    state[0], control[1] = 5.0, 5.0
+    assert profile.pieces[0].state[0] == 0.0
+    assert profile.pieces[0].control[1] == 0.2
+    for array in (profile.breaks, profile.times, profile.pieces[0].state, profile.pieces[0].control):
         with pytest.raises(ValueError, match="read-only"):
             array[0] = 1.0
 
 
 def test_time_that_cannot_be_stretched_to_the_limits_is_said(monkeypatch):
     """A law whose numbers are not finite stays beyond its limits whatever the time; nothing is returned for it."""
-    broken = Timing(1.0, Easing.single([0.0, np.nan, 1.0]))
+    broken = Timing(1.0, Profile.single([0.0, np.nan, 1.0]))
     with pytest.raises(InfeasibleError, match="no stretch of time brings the law within its limits"):
         fit_to_limits([demand(1.0, {"velocity": 1.0})], [broken])
     monkeypatch.setattr(time_scaling, "used_fraction", lambda *_: 1.5)
     with pytest.raises(InfeasibleError, match=r"1\.5 of them is used at the end"):
-        fit_to_limits([demand(1.0, {"velocity": 1.0})], [Timing(1.0, Easing.single([0.0, 1.0]))])
+        fit_to_limits([demand(1.0, {"velocity": 1.0})], [Timing(1.0, Profile.single([0.0, 1.0]))])

@@ -63,8 +63,10 @@ def test_the_file_has_the_contracts_keys(text):
         "end",
         "axis",
         "angle",
-        "easing",
+        "pieces",
     ]
+    assert list(segment["pieces"][0]) == ["duration", "state", "bernstein"]
+    assert len(segment["pieces"][0]["state"]) == document["continuity"] + 1
     assert set(document["nodes"][1]) >= {"label", "time", "kind", "turn", "jump", "continuity"}
     assert document["limits"]["velocity"] == pytest.approx(np.pi / 3, rel=1e-15)
 
@@ -90,8 +92,8 @@ def change(text, path, value):
 
 MALFORMED = {
     "format": (["format"], "other", "format: Input should be 'timelaw-law'"),
-    "version": (["version"], 2, "version: Input should be 1"),
-    "true version": (["version"], True, "version: Value error, Input should be 1"),
+    "version": (["version"], 1, "version: Input should be 2"),
+    "true version": (["version"], True, "version: Value error, Input should be 2"),
     "no limits": (["limits"], {}, "limits: at least one limit is needed, or there is nothing to prove"),
     "twice around": (
         ["segments", 0, "angle"],
@@ -115,20 +117,28 @@ MALFORMED = {
         0.0,
         "segments[0].duration: Input should be greater than or equal to 0.000000001",
     ),
-    "breaks": (["segments", 0, "easing", "breaks"], [0.0, 0.5], "breaks must ascend from 0 to 1"),
-    "pieces": (["segments", 0, "easing", "breaks"], [0.0, 0.5, 1.0], "2 intervals need as many lists"),
-    "missing": (["segments", 0, "easing"], None, "segments[0].easing: Field required"),
+    "no pieces": (["segments", 0, "pieces"], [], "segments[0].pieces: List should have at least 1 item"),
+    "stateless": (
+        ["segments", 0, "pieces", 0, "state"],
+        [],
+        "pieces[0].state: List should have at least 1 item",
+    ),
+    "missing": (["segments", 0, "pieces"], None, "segments[0].pieces: Field required"),
     "conventions": (["conventions", "quaternion"], "xyzw", "allowed: {'quaternion': 'wxyz, Hamilton, active"),
     "eternal": (
         ["segments", 0, "duration"],
         1e150,
         "segments[0].duration: Input should be less than or equal to",
     ),
-    "narrow": (["segments", 0, "easing", "breaks"], [0.0, 1e-200, 1.0], "breaks must ascend from 0 to 1"),
+    "brief": (
+        ["segments", 0, "pieces", 0, "duration"],
+        1e-200,
+        "segments[0].pieces[0].duration: Input should be greater than or equal to",
+    ),
     "wild": (
-        ["segments", 0, "easing", "bernstein", 0, 3],
+        ["segments", 0, "pieces", 0, "bernstein", 3],
         1e308,
-        "bernstein[0][3]: Input should be less than",
+        "pieces[0].bernstein[3]: Input should be less than",
     ),
     "limit": (["limits", "warp"], 9.0, 'limits: unknown limit "warp"; known: velocity, acceleration, jerk'),
     "negative limit": (

@@ -5,7 +5,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from tests.cases import AXIS, demand
-from timelaw.easing import Easing, Timing
+from timelaw.easing import Profile, Timing
 from timelaw.easing.family import PolynomialFamily
 from timelaw.easing.smoothstep import control_points
 from timelaw.easing.time_scaling import fit_to_limits, list_used, used_fraction
@@ -69,7 +69,7 @@ def test_torque_and_momentum_are_eulers(seed):
     rng = np.random.default_rng(seed)
     axis = rng.normal(size=3)
     axis /= np.linalg.norm(axis)
-    timing = Timing(1.7, Easing.single(control_points(3)))
+    timing = Timing(1.7, Profile.single(control_points(3)))
     omega, alpha = motion(timing, 2.0, axis)
     momentum = omega @ INERTIA.T
     torque = alpha @ INERTIA.T + np.cross(omega, momentum)
@@ -132,7 +132,7 @@ def test_rotating_axis_and_norm_leaves_norm_limits_alone_and_inertia_turns_along
     bounds = {limit: 3.0}
     one = demand(2.0, bounds, AXIS, INERTIA)
     other = demand(2.0, bounds, turn @ AXIS, turn @ INERTIA @ turn.T)
-    timing = Timing(3.0, Easing.single(control_points(2)))
+    timing = Timing(3.0, Profile.single(control_points(2)))
     assert used_fraction([one], [timing]) == pytest.approx(used_fraction([other], [timing]), rel=1e-12)
 
 
@@ -147,9 +147,9 @@ def test_per_axis_limits_of_a_permuted_problem_give_the_same_law():
 
 def test_an_axis_without_a_component_is_not_limited_along_it():
     leg = demand(2.0, {"velocity": (1e-3, 1.0, 1.0)}, (0.0, 0.6, 0.8))
-    assert fit_to_limits([leg], [Timing(1.0, Easing.single(control_points(2)))])[0].duration == pytest.approx(
-        2.0 * 15 / 8 * 0.8, rel=1e-10
-    )
+    assert fit_to_limits([leg], [Timing(1.0, Profile.single(control_points(2)))])[
+        0
+    ].duration == pytest.approx(2.0 * 15 / 8 * 0.8, rel=1e-10)
 
 
 @pytest.mark.parametrize("seed", range(20))

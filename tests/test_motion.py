@@ -44,7 +44,7 @@ def test_omega_is_the_rate_of_the_orientation(law):
 @pytest.mark.parametrize("order", [2, 3])
 def test_each_rate_is_the_derivative_of_the_one_before(law, order):
     t, h = inner_times(law), 1e-6
-    breaks = np.concatenate([s.start_time + s.duration * s.easing.breaks for s in law.segments])
+    breaks = np.concatenate([s.start_time + s.duration * s.breaks for s in law.segments])
     t = t[np.min(np.abs(t[:, None] - breaks), axis=1) > 1e-3]
     difference = (law(t + h, order - 1) - law(t - h, order - 1)) / (2 * h)
     np.testing.assert_allclose(law(t, order), difference, atol=2e-5)
@@ -94,7 +94,7 @@ def test_orders_that_are_not_there_are_refused(law):
 
 
 def test_the_effort_is_the_integral_of_the_squares(law):
-    edges = np.unique(np.concatenate([s.start_time + s.duration * s.easing.breaks for s in law.segments]))
+    edges = np.unique(np.concatenate([s.start_time + s.duration * s.breaks for s in law.segments]))
     for order in (2, 3):
         total = 0.0
         for a, b in pairwise(edges):

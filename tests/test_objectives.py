@@ -53,7 +53,10 @@ def test_least_effort_in_a_given_time_is_the_smoothstep(minimise):
     continuity, limits, order, cost = CLOSED[minimise]
     program, _, solution = solve([2.0], minimise, 3.0, 9, continuity, limits)
     np.testing.assert_allclose(
-        solution.timings[0].easing.pieces[0], elevate(control_points(order), 9), rtol=0, atol=1e-8
+        solution.timings[0].easing.derivative(0)[0].control,
+        elevate(control_points(order), 9),
+        rtol=0,
+        atol=1e-8,
     )
     assert EFFORTS[minimise].measure(program.demands, solution.timings) == pytest.approx(
         cost(2.0, solution.duration), rel=1e-9

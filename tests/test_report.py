@@ -16,7 +16,7 @@ from timelaw import design
 from timelaw.certificate import certify
 from timelaw.certificate.continuity import check_continuity
 from timelaw.certificate.effort import measure_effort
-from timelaw.easing import Easing
+from timelaw.easing import Profile
 from timelaw.report import list_law_rows, render_report
 from timelaw.report.active_limits import trace_parts
 from timelaw.report.figures.style import OPTIMISED, QUINTIC, describe_excerpt, list_first_legs
@@ -248,7 +248,7 @@ def test_the_effort_of_a_law_that_jumps_has_no_bound(tmp_path):
     page = render_report(designed, DIGEST)["report.html"]
     assert [row[-2] for row in rows_of(page, "to physical")][1] == "∞"
     law = replace(designed.optimised.law, segments=designed.optimised.law.segments[:1])
-    jolted = replace(law.segments[0], easing=Easing.single([0.0, 1.0]))
+    jolted = replace(law.segments[0], profile=_even(law.segments[0]))
     jumping = replace(law, segments=(jolted,))
     assert measure_effort(jumping, check_continuity(jumping), 2) == inf
 
@@ -290,10 +290,19 @@ def test_grey_bars_stand_wherever_the_quintic_does(tmp_path, baselines):
 
 
 def test_easings_are_alike_only_if_all_their_pieces_are():
-    one = Easing(np.array([0.0, 0.5, 1.0]), (np.array([0.0, 0.5]), np.array([0.5, 0.7, 1.0])))
-    other = Easing(np.array([0.0, 0.5, 1.0]), (np.array([0.0, 0.5]), np.array([0.5, 0.9, 1.0])))
-    later = Easing(np.array([0.0, 0.6, 1.0]), one.pieces)
-    assert len({easing.key() for easing in (one, other, later, Easing(one.breaks, one.pieces))}) == 3
+    def made_of(breaks, controls):
+        return Profile.from_control_points(breaks, controls, 0)
+
+    one = made_of([0.0, 0.5, 1.0], ([0.0, 0.5], [0.5, 0.7, 1.0]))
+    other = made_of([0.0, 0.5, 1.0], ([0.0, 0.5], [0.5, 0.9, 1.0]))
+    later = made_of([0.0, 0.6, 1.0], ([0.0, 0.5], [0.5, 0.7, 1.0]))
+    again = made_of([0.0, 0.5, 1.0], ([0.0, 0.5], [0.5, 0.7, 1.0]))
+    assert len({easing.key() for easing in (one, other, later, again)}) == 3
+
+
+def _even(arc):
+    """The arc's angle at a constant rate."""
+    return Profile.single([0.0, 1.0], 0).scaled(arc.angle, arc.duration)
 
 
 def test_torque_panels_limits_of_single_legs_and_active_limits():

@@ -7,7 +7,7 @@ from scipy.interpolate import BSpline
 from tests.cases import AXIS, PROBLEMS, control_points, demand, demands, random_limits
 from timelaw import design
 from timelaw.certificate.continuity import JUMP_TOLERANCE
-from timelaw.easing import Easing
+from timelaw.easing import Profile
 from timelaw.easing.family import SplineFamily, divide_breaks
 from timelaw.easing.spline_basis import SplineBasis
 from timelaw.easing.time_scaling import used_fraction
@@ -27,9 +27,8 @@ def test_the_basis_is_that_of_b_splines(degree, continuity):
     breaks = np.concatenate([[0.0], np.sort(rng.uniform(0.05, 0.95, 9)), [1.0]])
     basis = SplineBasis(degree, tuple(breaks), continuity)
     left, right = rng.normal(size=(2, continuity + 1))
-    easing = Easing(
-        breaks, tuple(control_points(basis, left, rng.normal(size=basis.free), right).reshape(-1, degree + 1))
-    )
+    control = control_points(basis, left, rng.normal(size=basis.free), right).reshape(-1, degree + 1)
+    easing = Profile.from_control_points(breaks, list(control), continuity)
     for k in range(continuity + 1):
         assert easing(0.0, k) == pytest.approx(left[k], rel=1e-6, abs=1e-6)
         assert easing(1.0, k) == pytest.approx(right[k], rel=1e-6, abs=1e-6)

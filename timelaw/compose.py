@@ -19,9 +19,9 @@ def compose_law(
             visits = [*(leg.start for leg in route.legs), route.legs[-1].end]
             segments.append(Dwell(route.nodes[index].label, start, duration, visits[index]))
             continue
-        leg, easing = route.legs[index], time_law.timings[index].easing
+        leg, timing = route.legs[index], time_law.timings[index]
         ends = (leg.origin, leg.target, start, duration, leg.start, leg.end, leg.axis, leg.angle)
-        segments.append(Arc(*ends, easing, requirements.leg_limits.get(index, {})))
+        segments.append(Arc(*ends, timing.profile(leg.angle), requirements.leg_limits.get(index, {})))
     moving = any(requirements.start) or any(requirements.end)
     before, after = (
         {k: rate * leg.axis for k, rate in enumerate([*rates, *[0.0] * MAX_ORDER][:MAX_ORDER], 1)}

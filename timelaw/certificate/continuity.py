@@ -6,14 +6,14 @@ from typing import Any
 
 import numpy as np
 
+from timelaw.limits.rate import ORDERS
 from timelaw.motion import QuaternionLaw, Segment
 from timelaw.motion.segment import RATES
 from timelaw.numerics.array import Array
 from timelaw.numerics.function import enclose_peaks
 from timelaw.numerics.turn import SAME_AXIS, angle_between_axes
 
-JUMP_TOLERANCE = 1e-5  # of the rate's largest value in the segments that meet; short pieces resolve no better
-SMOOTH = dict.fromkeys(RATES, 0.0)  # no jump at all
+JUMP_TOLERANCE = 1e-9  # of the limit of that order, or of the largest rate of the motion
 
 
 @dataclass(frozen=True)
@@ -23,7 +23,7 @@ class NodeReport:
     Before the first and after the last node the body has the rates that the law says, at rest
     unless it says so. A dwell has two nodes of its label, its beginning and its end.
     `continuity` k: orientation and its first k rates (1: ω, 2: ω and α, 3: jerk, 4: snap too) are
-    continuous.
+    continuous. `moving`: with a speed that is more than the rounding of rest.
     """
 
     label: str
@@ -34,11 +34,12 @@ class NodeReport:
     after: Mapping[str, Array]
     jump: Mapping[str, float]
     continuity: int
+    moving: bool
 
     @property
     def passed(self) -> bool:
         """Whether the body goes straight on there at speed."""
-        return self.kind == "straight" and bool(np.any(self.before["omega"]))
+        return self.kind == "straight" and self.moving
 
     def to_dict(self) -> dict[str, Any]:
         """As the law file has it."""
@@ -58,12 +59,14 @@ class NodeReport:
 class Continuity:
     """All nodes, the class inside the segments, and the class of the whole motion.
 
-    `scales` are the largest |ω|, |α|, |jerk| of the motion, against which jumps are judged.
+    `peaks` are the largest |ω|, |α|, |jerk|, |snap| of the motion by order. `worst` is what rounding leaves
+    of jumps in the rates that the class says are continuous, in parts of what they are judged by.
     """
 
     nodes: tuple[NodeReport, ...]
     inside: int
-    scales: tuple[float, float, float]
+    peaks: Mapping[int, float]
+    worst: Mapping[int, float]
 
     @property
     def order(self) -> int:
@@ -72,40 +75,41 @@ class Continuity:
 
 
 def check_continuity(law: QuaternionLaw) -> Continuity:
-    """Compare the two sides of every node and of every break."""
-    scales = _scales(law)
-    around = [scales[max(i - 1, 0) : i + 1] for i in range(len(scales) + 1)]
-    nodes = [
-        _node(law, index, (label, time), {k: max(scale[k] for scale in near) for k in RATES})
-        for index, (near, label, time) in enumerate(zip(around, law.labels, law.times, strict=True))
-    ]
-    inside = min(
-        _class(jumps, scale)
-        for segment, scale in zip(law.segments, scales, strict=True)
-        for jumps in (SMOOTH, *segment.jumps())
-    )
-    largest = [max(scale[k] for scale in scales) for k in RATES]
-    return Continuity(tuple(nodes), inside, (largest[0], largest[1], largest[2]))
+    """Compare the two sides of every node and of every break, in all segments by one rule.
+
+    A jump of the k-th rate counts if it is above 1e-9 of the limit of that order where there is one (axis by
+    axis where it is given so; for limits of single legs the loosest), else of the largest k-th rate of the
+    whole motion. Where that is rounding itself, as in a steady turn, the largest ω over the (k-1)-th power
+    of the whole duration is what it is told by.
+    """
+    peaks = _peaks(law)
+    scales = _scales(law, peaks)
+    nodes = tuple(_node(law, index, scales) for index in range(len(law.segments) + 1))
+    inside = [_relate(jumps, scales) for segment in law.segments for jumps in segment.jumps()]
+    at_nodes = [_relate(_subtract(node), scales) for node in nodes]
+    classes = [_class(parts) for parts in inside]
+    order = min([*classes, *(node.continuity for node in nodes)])
+    worst = {k: max(parts[k] for parts in (*inside, *at_nodes)) for k in range(1, order + 1)}
+    return Continuity(nodes, min(classes, default=max(RATES)), peaks, worst)
 
 
-def _node(
-    law: QuaternionLaw, index: int, place: tuple[str, float], scales: Mapping[int, float]
-) -> NodeReport:
+def _node(law: QuaternionLaw, index: int, scales: Mapping[int, Array]) -> NodeReport:
     last = law.segments[index - 1] if index else None
     following = law.segments[index] if index < len(law.segments) else None
     before = {k: last.side(k, -1) if last else law.before.get(k, np.zeros(3)) for k in RATES}
     after = {k: following.side(k, 0) if following else law.after.get(k, np.zeros(3)) for k in RATES}
-    jumps = {k: float(np.linalg.norm(after[k] - before[k])) for k in RATES}
+    jumps = {k: after[k] - before[k] for k in RATES}
     kind, turn = _kind(last, following)
     return NodeReport(
-        place[0],
-        float(place[1]),
+        law.labels[index],
+        float(law.times[index]),
         kind,
         turn,
         {name: before[k] for k, name in RATES.items()},
         {name: after[k] for k, name in RATES.items()},
-        {name: jumps[k] for k, name in RATES.items()},
-        _class(jumps, scales),
+        {name: float(np.linalg.norm(jumps[k])) for k, name in RATES.items()},
+        _class(_relate(jumps, scales)),
+        _relate(before, scales)[1] > JUMP_TOLERANCE,
     )
 
 
@@ -122,21 +126,45 @@ def _kind(last: Segment | None, following: Segment | None) -> tuple[str, float]:
     return ("straight" if turn <= SAME_AXIS else "corner"), turn
 
 
-def _scales(law: QuaternionLaw) -> list[dict[int, float]]:
-    """The largest value of each rate in each segment."""
-    places = [(i, k, rate) for i, s in enumerate(law.segments) for k in RATES for rate in s.rates(k)]
-    scales = [dict.fromkeys(RATES, 0.0) for _ in law.segments]
-    tops = enclose_peaks([rate for _, _, rate in places])
-    for (index, order, _), peak in zip(places, tops, strict=True):
-        scales[index][order] = max(scales[index][order], peak.lower)
+def _peaks(law: QuaternionLaw) -> dict[int, float]:
+    """The largest value of each rate in the motion."""
+    places = [(k, rate) for segment in law.segments for k in RATES for rate in segment.rates(k)]
+    peaks = dict.fromkeys(RATES, 0.0)
+    for (order, _), peak in zip(places, enclose_peaks([rate for _, rate in places]), strict=True):
+        peaks[order] = max(peaks[order], peak.lower)
+    return peaks
+
+
+def _scales(law: QuaternionLaw, peaks: Mapping[int, float]) -> dict[int, Array]:
+    """What a jump of each rate is judged against, () for its norm or (3,) by axis."""
+    scales = {k: np.array(max(peaks[k], peaks[1] / law.duration ** (k - 1))) for k in RATES}
+    for name, order in ORDERS.items():
+        own = [segment.limits[name] for segment in law.legs if name in segment.limits]
+        given = [law.limits[name]] if name in law.limits else own
+        if given:
+            scales[order] = np.array(max(given, key=np.min), dtype=float)
     return scales
 
 
-def _class(jumps: Mapping[int, float], scales: Mapping[int, float]) -> int:
-    """Number of leading rates whose jump is below the tolerance."""
+def _subtract(node: NodeReport) -> dict[int, Array]:
+    return {k: node.after[name] - node.before[name] for k, name in RATES.items()}
+
+
+def _relate(jumps: Mapping[int, Array], scales: Mapping[int, Array]) -> dict[int, float]:
+    """Each jump (3,) in parts of its scale."""
+    parts = {}
+    for k, scale in scales.items():
+        size = np.abs(jumps[k]) if scale.ndim else np.linalg.norm(jumps[k])
+        with np.errstate(divide="ignore", invalid="ignore"):
+            parts[k] = float(np.max(np.where(size == 0, 0.0, size / scale)))
+    return parts
+
+
+def _class(parts: Mapping[int, float]) -> int:
+    """Number of leading rates that do not jump."""
     order = 0
     for k in RATES:
-        if not jumps[k] <= JUMP_TOLERANCE * scales[k]:  # not a number is a jump too
+        if not parts[k] <= JUMP_TOLERANCE:  # not a number is a jump too
             break
         order = k
     return order

@@ -1,88 +1,81 @@
-"""The double-S profile as easings: cut at the nodes of a run, within its limits, in control points."""
+"""The double-S profile cut at the nodes of a run: constant jerk on up to seven durations."""
 
+from bisect import bisect_right
 from collections.abc import Sequence
-from itertools import pairwise
 from math import inf
 
 import numpy as np
 
-from timelaw.easing.easing import Easing
+from timelaw.easing.profile import Piece, Profile
 from timelaw.easing.time_scaling import fit_to_limits
 from timelaw.easing.timing import Timing
 from timelaw.least_time.constant_bounds import choose_bounds
-from timelaw.least_time.double_s import NEGLIGIBLE, Phase, double_s_time, list_phases, ramp_times
+from timelaw.least_time.double_s import Phase, list_phases, ramp_times
 from timelaw.limits import Demand
-from timelaw.numerics.bernstein import hermite_matrix
 
 BISECTIONS = 80  # a monotone cubic is solved to the last bit
-WRITTEN_TOLERANCE = 1e-7  # relative time that rounding of control points may cost unnoticed
-SHORTEST_PHASE = 2e-5  # of the run: the jerk of shorter phases drowns in the rounding of control points
-JERK_FACTORS = (1.0, 1 - 1e-6, 1 - 1e-5, 1 - 1e-4, 0.999, 0.99, 0.9, 0.5, 0.2, 0.1, 0.03, 0.01)
 
 
 def fit_double_s(demands: Sequence[Demand]) -> tuple[Timing, ...]:
-    """The profile over a run as it can be written in control points, within the limits for certain.
-
-    Control points near 1 resolve 1e-16, so a phase of width h of the leg has its jerk rounded by
-    some 1e-15/h³: where a jerk phase, or what a node cuts off from one, is very short, the exact
-    stretch costs time. Then a slightly slower profile that moves the phases is faster as written.
-    No jerk phase is shorter than 2e-5 of the run, which costs as much of the time.
-    """
+    """The profile over a run, within its limits for certain, cut at the nodes: one timing per leg."""
     angles = [demand.angle for demand in demands]
-    w, a, j = choose_bounds(demands)
-    ideal = double_s_time(float(sum(angles)), w, a, j)
-    best: tuple[Timing, ...] = ()
-    least = inf
-    t_j, t_a, t_v = ramp_times(float(sum(angles)), w, a, j)
-    slowed = min(1.0, t_j / (SHORTEST_PHASE * (2 * t_a + t_v))) if j < inf else 1.0
-    for factor in [slowed * factor for factor in JERK_FACTORS] if j < inf else [1.0]:
-        timings = fit_to_limits(demands, cut_double_s(angles, w, a, j * factor))
-        total = sum(timing.duration for timing in timings)
-        if total < least:
-            best, least = timings, total
-        if least <= ideal * (1 + WRITTEN_TOLERANCE):
-            break
-    return best
+    return fit_to_limits(demands, cut_double_s(angles, *choose_bounds(demands)))
 
 
-def cut_double_s(angles: Sequence[float], w: float, a: float, j: float) -> tuple[Timing, ...]:
-    """The profile over a whole run, cut at the nodes it passes: one timing per leg."""
+def cut_double_s(
+    angles: Sequence[float], w: float, a: float, j: float, shortest: float = 0.0
+) -> tuple[Timing, ...]:
+    """The profile over a whole run, cut at the nodes it passes: one timing per leg.
+
+    With `shortest` the jerk is lowered, if need be, until no jerk phase is shorter than this part of the run.
+    """
     total = float(sum(angles))
+    t_j, t_a, t_v = ramp_times(total, w, a, j)
+    if j < inf and t_j < shortest * (2 * t_a + t_v):
+        j *= t_j / (shortest * (2 * t_a + t_v))
     phases = list_phases(total, w, a, j)
-    timings: list[Timing] = []
-    start = 0.0
+    starts = [phase.angle for phase in phases]
+    depth = 3 if j < inf else 2 if a < inf else 1
+    ends: list[tuple[int, float]] = []  # phase and time in it at which each node is passed
+    reached = 0.0
     for angle in angles[:-1]:
-        inside, phases = _cut(phases, start + angle)
-        timings.append(_timing(inside, start, angle))
-        start += angle
-    return (*timings, _timing(phases, start, angles[-1]))
+        reached += angle
+        index = max(bisect_right(starts, reached) - 1, 0)
+        ends.append((index, _time_at(phases[index], reached)))
+    ends.append((len(phases) - 1, phases[-1].duration))
+    timings, since = [], (0, 0.0)
+    for angle, until in zip(angles, ends, strict=True):
+        timings.append(_timing(phases, since, until, angle, depth))
+        since = until
+    return tuple(timings)
 
 
-def _cut(phases: list[Phase], angle: float) -> tuple[list[Phase], list[Phase]]:
-    """The phases before and after the instant at which `angle` is reached."""
-    index = max(i for i, p in enumerate(phases) if p.angle < angle)
-    phase, low, high = phases[index], 0.0, phases[index].duration
+def _time_at(phase: Phase, angle: float) -> float:
+    """Time in the phase at which `angle` is reached; its end where that comes later by rounding only."""
+    low, high = 0.0, phase.duration
+    if phase.at(high)[0] <= angle:
+        return high
     for _ in range(BISECTIONS):
         middle = (low + high) / 2
         low, high = (middle, high) if phase.at(middle)[0] < angle else (low, middle)
-    first = Phase(high, phase.angle, phase.velocity, phase.acceleration, phase.jerk)
-    left = phase.duration - high
-    rest = [Phase(left, *phase.at(high))] if left > NEGLIGIBLE * phase.duration else []
-    return [*phases[:index], first], [*rest, *phases[index + 1 :]]
+    return high
 
 
-def _timing(phases: list[Phase], start: float, angle: float) -> Timing:
-    """One leg's phases as a piecewise cubic easing from exactly 0 to exactly 1."""
-    durations = np.array([p.duration for p in phases])
-    duration = float(np.sum(durations))
-    breaks = np.concatenate([[0.0], np.cumsum(durations) / duration])
-    breaks[-1] = 1.0
-    hermite = hermite_matrix(3, 4)
-    pieces = []
-    for p in phases:
-        scaled = [p.angle - start, p.velocity * p.duration, p.acceleration * p.duration**2]
-        pieces.append(hermite @ np.array([*scaled, p.jerk * p.duration**3]) / angle)
-    pieces[0][0], pieces[-1][-1] = 0.0, 1.0
-    for before, after in pairwise(pieces):
-        before[-1] = after[0]
-    return Timing(duration, Easing(breaks, tuple(pieces)))
+def _timing(
+    phases: Sequence[Phase], since: tuple[int, float], until: tuple[int, float], angle: float, depth: int
+) -> Timing:
+    """One leg's part of the phases, as an easing: `depth` is the order of the rate that is constant."""
+    pieces: list[Piece] = []
+    travelled = 0.0
+    for index in range(since[0], until[0] + 1):
+        phase = phases[index]
+        start = since[1] if index == since[0] else 0.0
+        end = until[1] if index == until[0] else phase.duration
+        if end <= start:
+            continue
+        rates = phase.at(start)
+        piece = Piece(end - start, np.array([travelled, *rates[1:depth]]), np.array([rates[depth]]))
+        travelled = Profile((piece,)).end(0)
+        pieces.append(piece)
+    profile = Profile(tuple(pieces))
+    return Timing(profile.duration, profile.scaled(1 / angle, 1 / profile.duration))

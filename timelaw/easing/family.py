@@ -8,7 +8,7 @@ from typing import ClassVar, Protocol
 import numpy as np
 
 from timelaw.easing import smoothstep
-from timelaw.easing.double_s_easing import fit_double_s
+from timelaw.easing.double_s_easing import cut_double_s, fit_double_s
 from timelaw.easing.polynomial_basis import PolynomialBasis
 from timelaw.easing.spline_basis import SplineBasis
 from timelaw.easing.timing import Timing
@@ -18,6 +18,7 @@ from timelaw.numerics.array import Array
 
 Basis = PolynomialBasis | SplineBasis
 
+SHORTEST_PHASE = 2e-5  # of the run: in control points of the whole easing the jerk of shorter ones drowns
 JERK_RESOLUTION = 3e-6  # relative rounding of the third derivative that an interval may cost
 PROFILE_DEGREE = 3  # of the double-S profile, which is C2 inside
 
@@ -114,17 +115,19 @@ class SplineFamily:
 
     def bases(self, demands: Sequence[Demand]) -> tuple[Basis, ...]:
         """Breaks from the profile over the run, cut at its nodes."""
-        profile = fit_double_s(demands)
+        angles = [demand.angle for demand in demands]
+        profile = cut_double_s(angles, *choose_bounds(demands), SHORTEST_PHASE)
         return tuple(self._basis(timing) for timing in profile)
 
     def _basis(self, timing: Timing) -> SplineBasis:
         first, second, third = (max(1.0, *(p.size for p in timing.easing.derivative(k))) for k in (1, 2, 3))
         least = (50 * np.finfo(float).eps / JERK_RESOLUTION / third) ** (1 / 3)
+        breaks = merge_breaks(timing.easing.breaks.tolist(), least)
         if self.continuity > 3:
-            fourth = third / float(np.min(np.diff(timing.easing.breaks)))
+            fourth = third / float(np.min(np.diff(breaks)))
             least = max(least, (400 * np.finfo(float).eps / JERK_RESOLUTION / fourth) ** (1 / 4))
-        breaks = divide_breaks(timing.easing.breaks.tolist(), self.intervals, least)
-        return SplineBasis(self.degree, breaks, self.continuity, (first, second, third))
+        divided = divide_breaks(breaks, self.intervals, least)
+        return SplineBasis(self.degree, divided, self.continuity, (first, second, third))
 
     def closed_form(self, demands: Sequence[Demand]) -> tuple[Timing, ...]:
         """The double-S profile, a spline of degree 3; for smoother ones the smoothstep."""
@@ -174,6 +177,15 @@ class DoubleSFamily:
     def simpler(self) -> Family | None:
         """There is one profile."""
         return None
+
+
+def merge_breaks(breaks: Sequence[float], least: float) -> list[float]:
+    """The breaks, from 0 to 1, without those nearer than `least` to the one before, or to the end."""
+    kept = [0.0]
+    for point in breaks[1:-1]:
+        if point - kept[-1] >= least and 1.0 - point >= least:
+            kept.append(point)
+    return [*kept, 1.0]
 
 
 def divide_breaks(breaks: Sequence[float], intervals: int, least: float) -> tuple[float, ...]:

@@ -7,9 +7,10 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike
 
-from timelaw.easing.easing import Easing
+from timelaw.easing.joining import join_pieces
+from timelaw.easing.profile import Profile
 from timelaw.numerics.array import Array
-from timelaw.numerics.bernstein import basis_matrix, elevate, hermite_matrix
+from timelaw.numerics.bernstein import basis_matrix, differentiate, elevate, hermite_matrix
 
 CONDITIONED_ORDER = 3  # the highest derivative that is limited depends most wildly on control points
 GRID = 8  # points per degree on which extrema are looked for
@@ -68,11 +69,11 @@ class PolynomialBasis:
         below = np.zeros((self.degree + 1 - len(block), block.shape[1]))
         return np.concatenate([block, below])
 
-    def easing(self, control: ArrayLike) -> Easing:
-        """The easing with these control points; its ends are exactly 0 and 1."""
-        exact = np.array(control, dtype=float)
-        exact[0], exact[-1] = 0.0, 1.0
-        return Easing.single(exact)
+    def easing(self, left: Array, free: Array, right: Array) -> Profile:
+        """The easing with the coefficients x and exactly the derivatives g(0) and g(1) (r+1,) at its ends."""
+        control = self.from_left @ left + self.from_free @ free + self.from_right @ right
+        highest = differentiate(control, self.continuity + 1)
+        return join_pieces(np.ones(1), highest[None], left, right, smooth=False)
 
     def values(self, tau: ArrayLike, order: int) -> Array:
         """Matrix (m, d+1) that takes control points to the k-th derivative at the points τ (m,)."""
@@ -94,10 +95,14 @@ class PolynomialBasis:
         nodes, weights = np.polynomial.legendre.leggauss(2 * self.degree)
         return (nodes + 1) / 2, weights / 2
 
-    def free_of(self, easing: Easing) -> Array:
+    def free_of(self, easing: Profile) -> Array:
         """The solver's variables x of a polynomial easing of at most this degree."""
         left, right = ([float(easing(end, i)) for i in range(self.continuity + 1)] for end in (0.0, 1.0))
-        rest = elevate(easing.pieces[0], self.degree) - self.from_left @ left - self.from_right @ right
+        rest = (
+            elevate(easing.derivative(0)[0].control, self.degree)
+            - self.from_left @ left
+            - self.from_right @ right
+        )
         return np.array(self._triangle @ rest[self._inner])
 
 

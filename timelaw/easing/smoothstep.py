@@ -8,7 +8,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from timelaw.easing.easing import Easing
+from timelaw.easing.profile import Profile
 from timelaw.easing.time_scaling import fit_to_limits
 from timelaw.easing.timing import Timing
 from timelaw.limits import Demand
@@ -29,7 +29,7 @@ def time_leg(demand: Demand, continuity: int) -> Timing:
     The quintic's derivatives peak at 15/8, 10/√3 and 60, so that under norm limits
     T = max(1.875 θ/w, √(5.7735 θ/a), ∛(60 θ/j)).
     """
-    return fit_to_limits([demand], [Timing(1.0, Easing.single(control_points(continuity)))])[0]
+    return fit_to_limits([demand], [Timing(1.0, Profile.single(control_points(continuity), continuity))])[0]
 
 
 def time_run(demands: Sequence[Demand], continuity: int) -> tuple[Timing, ...]:
@@ -45,10 +45,12 @@ def time_run(demands: Sequence[Demand], continuity: int) -> tuple[Timing, ...]:
     for demand in demands[:-1]:
         share = _solve_monotone(_integrated(slope), demand.angle / left)
         piece, slope = split(slope, share)
-        timings.append(Timing(duration * share, Easing.single(_integrated(piece))))
+        timings.append(Timing(duration * share, Profile.single(_integrated(piece), continuity)))
         duration *= 1 - share
         left -= demand.angle
-    return fit_to_limits(demands, [*timings, Timing(duration, Easing.single(_integrated(slope)))])
+    return fit_to_limits(
+        demands, [*timings, Timing(duration, Profile.single(_integrated(slope), continuity))]
+    )
 
 
 def _integrated(slope: Array) -> Array:

@@ -11,7 +11,9 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike
 
-from timelaw.easing.easing import Easing
+from timelaw.easing.joining import join_pieces
+from timelaw.easing.profile import Profile
+from timelaw.easing.spline_rates import differentiate_spline
 from timelaw.numerics.array import Array
 from timelaw.numerics.bernstein import basis_matrix, hermite_matrix
 
@@ -41,13 +43,7 @@ class SplineBasis:
     @cached_property
     def _bezier(self) -> Array:
         """Matrix (n (p+1), n + p): B-spline coefficients to stacked control points."""
-        knots = np.concatenate([[0.0] * self.degree, self.breaks, [1.0] * self.degree])
-        count = len(self.breaks) - 1
-        rows = []
-        for interval in range(count):
-            left = self.degree + interval
-            rows.append(_extraction(knots, left, self.degree, count + self.degree))
-        return np.concatenate(rows)
+        return extraction_matrix(self.breaks, self.degree)
 
     def _ends(self) -> tuple[Array, Array]:
         """First and last B-spline coefficients (r+1) from the derivatives at the ends of the leg."""
@@ -82,18 +78,22 @@ class SplineBasis:
         effect. A basis made orthonormal, as for polynomials, would lose what makes splines fast:
         each reaches over a few intervals only.
         """
+        return np.array(self._inner / self._effects)
+
+    @cached_property
+    def _effects(self) -> Array:
         effects = [
             np.max(np.abs(self._derivative_matrix(self.points([k]), k) @ self._inner), axis=0) / size
             for k, size in enumerate(self.sizes, 1)
         ]
-        return np.array(self._inner / np.max(effects, axis=0))
+        return np.array(np.max(effects, axis=0))
 
-    def easing(self, control: ArrayLike) -> Easing:
-        """The easing with these control points, from exactly 0 to 1, its intervals joined exactly."""
-        pieces = np.array(control, dtype=float).reshape(-1, self.degree + 1)
-        pieces[0, 0], pieces[-1, -1] = 0.0, 1.0
-        pieces[:-1, -1] = pieces[1:, 0]
-        return Easing(np.array(self.breaks), tuple(pieces.copy()))
+    def easing(self, left: Array, free: Array, right: Array) -> Profile:
+        """The easing with the coefficients x and exactly the derivatives g(0) and g(1) (r+1,) at its ends."""
+        degree = self.degree - self.continuity - 1  # of the highest derivative
+        rates = differentiate_spline(self.breaks, self.degree, left, free / self._effects, right)
+        controls = (extraction_matrix(self.breaks, degree) @ rates).reshape(-1, degree + 1)
+        return join_pieces(np.diff(self.breaks), controls, left, right, smooth=degree > 0)
 
     def values(self, tau: ArrayLike, order: int) -> Array:
         """Matrix (m, n (p+1)) that takes stacked control points to the k-th derivative at τ (m,).
@@ -135,7 +135,7 @@ class SplineBasis:
         tau = np.array(self.breaks)[:-1, None] + widths[:, None] * (nodes + 1) / 2
         return tau.ravel(), (widths[:, None] * weights / 2).ravel()
 
-    def free_of(self, easing: Easing) -> Array:
+    def free_of(self, easing: Profile) -> Array:
         """The free coefficients with which the spline comes nearest to an easing's first derivatives."""
         left, right = ([float(easing(end, i)) for i in range(self.continuity + 1)] for end in (0.0, 1.0))
         fixed = self.from_left @ left + self.from_right @ right
@@ -147,6 +147,13 @@ class SplineBasis:
             rows.append(scale[:, None] * (matrix @ self.from_free))
             targets.append(scale * (target - matrix @ fixed))
         return np.linalg.lstsq(np.concatenate(rows), np.concatenate(targets), rcond=None)[0]
+
+
+def extraction_matrix(breaks: Sequence[float], degree: int) -> Array:
+    """Matrix (n (p+1), n + p) from the coefficients of a spline to the control points on its n intervals."""
+    knots = np.concatenate([[breaks[0]] * degree, breaks, [breaks[-1]] * degree])
+    count = len(breaks) - 1
+    return np.concatenate([_extraction(knots, degree + i, degree, count + degree) for i in range(count)])
 
 
 def _extraction(knots: Array, left: int, degree: int, count: int) -> Array:

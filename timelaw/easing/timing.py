@@ -2,16 +2,20 @@
 
 from dataclasses import dataclass
 
-from timelaw.easing.easing import Easing
+from timelaw.easing.profile import Profile
 from timelaw.numerics.polynomial import Polynomial
 
 
 @dataclass(frozen=True)
 class Timing:
-    """How one leg is run through: in `duration` [s], by `easing`."""
+    """How one leg is run through: in `duration` [s], by `easing`, a profile from 0 to 1 in the time 1."""
 
     duration: float
-    easing: Easing
+    easing: Profile
+
+    def profile(self, angle: float) -> Profile:
+        """The angle travelled as a function of time."""
+        return self.easing.scaled(angle, self.duration)
 
     def rates(self, angle: float, order: int) -> list[Polynomial]:
         """The polynomials d^k φ/dt^k = θ f^(k)/T^k on the intervals."""

@@ -1,4 +1,4 @@
-"""The law file, version 1, as plain data: quaternion law ⇄ the object that `law.json` holds."""
+"""The law file, version 2, as plain data: quaternion law ⇄ the object that `law.json` holds."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -17,7 +17,7 @@ from timelaw.motion.kinds import KINDS
 from timelaw.motion.segment import RATES
 
 FORMAT = "timelaw-law"
-VERSION = 1
+VERSION = 2
 CONVENTIONS = {
     "quaternion": "wxyz, Hamilton, active, body to world",
     "rates": "body axes",

@@ -1,4 +1,4 @@
-"""Read a law file: JSON, version 1, as plain data and as the motion it defines."""
+"""Read a law file: JSON, version 2, as plain data and as the motion it defines."""
 
 import json
 from math import isfinite

@@ -16,9 +16,9 @@ else:
 
 
 def _no_truth(value: Any) -> Any:
-    """The number 1, which Python takes `true` for."""
+    """A number, which Python takes `true` for."""
     if isinstance(value, bool):
-        raise ValueError("Input should be 1")
+        raise ValueError("Input should be 2")
     return value
 
 
@@ -63,7 +63,7 @@ class LawDocument(Part):
     """What a reader needs of a law file."""
 
     format: Literal["timelaw-law"]
-    version: Annotated[Literal[1], BeforeValidator(_no_truth)]
+    version: Annotated[Literal[2], BeforeValidator(_no_truth)]
     name: str
     conventions: dict[str, str]
     duration: Duration

@@ -13,7 +13,7 @@ import numpy as np
 
 from timelaw.numerics.array import Array
 
-NEGLIGIBLE = 1e-12  # a phase shorter than this part of the whole is rounding, not a phase
+NEGLIGIBLE = 1e-15  # a phase of no jerk that lasts this part of the whole changes no digit of anything
 
 
 @dataclass(frozen=True)
@@ -88,7 +88,8 @@ def list_phases(angle: float, w: float, a: float, j: float) -> list[Phase]:
         rising.append(Phase(duration, travelled, velocity, acceleration, jerk))
         travelled, velocity, _, _ = rising[-1].at(duration)
     phases = [*rising, Phase(t_v, travelled, top, 0.0, 0.0), *(_mirrored(p, angle) for p in rising[::-1])]
-    return [p for p in phases if p.duration > NEGLIGIBLE * (2 * t_a + t_v)]
+    # what bends the motion counts however short it is
+    return [p for p in phases if p.jerk or p.duration > NEGLIGIBLE * (2 * t_a + t_v)]
 
 
 def _mirrored(phase: Phase, angle: float) -> Phase:

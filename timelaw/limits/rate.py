@@ -11,6 +11,7 @@ from timelaw.limits.formula import Formula, Rates, Vector
 from timelaw.limits.row import RateRow
 from timelaw.numerics.array import Array
 
+ORDERS = {"velocity": 1, "acceleration": 2, "jerk": 3, "snap": 4}  # of the limited rates
 UNITS = {1: "rad/s", 2: "rad/s²", 3: "rad/s³", 4: "rad/s⁴"}
 
 

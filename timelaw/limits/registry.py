@@ -8,18 +8,23 @@ from timelaw.limits.body import RigidBody
 from timelaw.limits.bounds import Bounds
 from timelaw.limits.limit import Limit, LimitKind
 from timelaw.limits.momentum import Momentum, find_contradiction
-from timelaw.limits.rate import Rate
+from timelaw.limits.rate import ORDERS, Rate
 from timelaw.limits.row import Row
 from timelaw.limits.torque import ACTUATORS
 from timelaw.numerics.array import Array
 from timelaw.units import ANGULAR_ACCELERATION, ANGULAR_JERK, ANGULAR_SNAP, ANGULAR_VELOCITY, MOMENTUM, TORQUE
 
+
+def _limit_rate(name: str, bounds: Bounds) -> Rate:
+    return Rate(name, ORDERS[name], bounds)
+
+
 LIMITS: dict[str, LimitKind] = {
-    "velocity": LimitKind(ANGULAR_VELOCITY, lambda bounds, _: Rate("velocity", 1, bounds)),
-    "acceleration": LimitKind(ANGULAR_ACCELERATION, lambda bounds, _: Rate("acceleration", 2, bounds)),
-    "jerk": LimitKind(ANGULAR_JERK, lambda bounds, _: Rate("jerk", 3, bounds), continuity=2),
+    "velocity": LimitKind(ANGULAR_VELOCITY, lambda bounds, _: _limit_rate("velocity", bounds)),
+    "acceleration": LimitKind(ANGULAR_ACCELERATION, lambda bounds, _: _limit_rate("acceleration", bounds)),
+    "jerk": LimitKind(ANGULAR_JERK, lambda bounds, _: _limit_rate("jerk", bounds), continuity=2),
     "snap": LimitKind(
-        ANGULAR_SNAP, lambda bounds, _: Rate("snap", 4, bounds), continuity=3, sufficient=False
+        ANGULAR_SNAP, lambda bounds, _: _limit_rate("snap", bounds), continuity=3, sufficient=False
     ),
     "torque": LimitKind(
         TORQUE,

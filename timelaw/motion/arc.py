@@ -1,4 +1,4 @@
-"""Segments of kind `arc`: a great-circle arc run through by an easing."""
+"""Segments of kind `arc`: a great-circle arc run through by a profile of the angle travelled."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -6,15 +6,16 @@ from itertools import pairwise
 from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
-from pydantic import Field, model_validator
+from pydantic import Field
 
-from timelaw.easing import Easing, Timing
-from timelaw.easing.easing import Side
+from timelaw.easing.profile import Piece, Profile, Side
 from timelaw.limits import Bounds, Limit, list_rows
 from timelaw.limits.bounds import read_bounds, write_bounds
 from timelaw.limits.polynomials import expand_rows
 from timelaw.motion.schema import (
+    BRIEFEST,
     LARGEST_ANGLE,
+    LONGEST,
     NARROWEST,
     BoundsDocument,
     Control,
@@ -24,30 +25,21 @@ from timelaw.motion.schema import (
     Vector3,
     Vector4,
 )
-from timelaw.motion.segment import RATES, Discrepancy, Quantity
+from timelaw.motion.segment import MAX_ORDER, RATES, Discrepancy, Quantity
 from timelaw.numerics.array import Array
 from timelaw.numerics.polynomial import Polynomial
 from timelaw.numerics.quaternion import from_axis_angle, multiply
 
-EASING_TOLERANCE = 1e-12  # of the leg; intervals of an easing share their end points
+ANGLE_TOLERANCE = 1e-10  # rad; pieces meet, and the last ends at the arc's angle, but for rounding
+DURATION_TOLERANCE = 1e-12  # of the segment; durations of pieces are rounded each
 
 
-class EasingDocument(Part):
-    """Bernstein control points of f on each interval of `breaks` ⊂ [0, 1]."""
+class PieceDocument(Part):
+    """Duration [s], φ and its first derivatives at the start, control points of the next derivative."""
 
-    breaks: Annotated[list[Number], Field(min_length=2)]
-    bernstein: Annotated[
-        list[Annotated[list[Control], Field(min_length=2, max_length=64)]], Field(min_length=1)
-    ]
-
-    @model_validator(mode="after")
-    def _intervals(self) -> "EasingDocument":
-        ascending = all(b - a >= NARROWEST for a, b in pairwise(self.breaks))
-        if self.breaks[0] != 0 or self.breaks[-1] != 1 or not ascending:
-            raise ValueError("breaks must ascend from 0 to 1")
-        if len(self.bernstein) != len(self.breaks) - 1:
-            raise ValueError(f"{len(self.breaks) - 1} intervals need as many lists of control points")
-        return self
+    duration: Annotated[float, Field(ge=BRIEFEST, le=LONGEST)]
+    state: Annotated[list[Control], Field(min_length=1, max_length=MAX_ORDER + 1)]
+    bernstein: Annotated[list[Control], Field(min_length=1, max_length=64)]
 
 
 class ArcDocument(Part):
@@ -62,13 +54,13 @@ class ArcDocument(Part):
     end: Vector4
     axis: Vector3
     angle: Annotated[float, Field(ge=NARROWEST, le=LARGEST_ANGLE)]
-    easing: EasingDocument
     limits: BoundsDocument = Field(default_factory=dict)
+    pieces: Annotated[list[PieceDocument], Field(min_length=1)]
 
 
 @dataclass(frozen=True)
 class Arc:
-    """q = q_i ⊗ (cos(fθ/2), n sin(fθ/2)), f = easing((t - start_time)/duration).
+    """q = q_i ⊗ (cos(φ/2), n sin(φ/2)), φ(t) = profile((t - start_time)/duration) from 0 to θ.
 
     `start`, `end` (4,) and the unit `axis` n (3,), in body axes, are kept as they were given:
     whether they agree with `angle` θ [rad] is for the certificate to say. `limits` hold on this
@@ -87,7 +79,7 @@ class Arc:
     end: Array
     axis: Array
     angle: float
-    easing: Easing
+    profile: Profile
     limits: Mapping[str, Bounds] = field(default_factory=dict)
 
     @property
@@ -102,36 +94,36 @@ class Arc:
 
     @property
     def breaks(self) -> Array:
-        """Breaks of the easing (p+1,) ⊂ [0, 1]."""
-        return self.easing.breaks
+        """Where the pieces of the profile meet (p+1,), in τ."""
+        return self.profile.breaks
 
     def __call__(self, tau: Array, order: int, side: Side) -> Array:
         """At τ (m,): quaternions (m, 4) for order 0, else ω, α, jerk, snap (m, 3) for 1 to 4."""
-        f = self.easing(tau, order, side)
+        rate = self.profile(tau, order, side)
         if order == 0:
-            return multiply(self.start, from_axis_angle(self.axis, self.angle * f))
-        return np.array((self.angle / self.duration**order * f)[..., None] * self.axis)
+            return multiply(self.start, from_axis_angle(self.axis, rate))
+        return np.array(rate[..., None] * self.axis)
 
     def axis_at(self, end: int) -> Array:  # noqa: ARG002
         """The same axis all along."""
         return self.axis
 
     def rates(self, order: int) -> list[Polynomial]:
-        """The k-th time derivative of the travelled angle, a polynomial on each interval."""
-        return Timing(self.duration, self.easing).rates(self.angle, order)
+        """The k-th time derivative of the travelled angle, a polynomial on each piece."""
+        return self.profile.derivative(order)
 
     def side(self, order: int, end: int) -> Array:
         """The k-th rate (3,) at the first (0) or last (-1) instant, from inside."""
         return np.array(self.rates(order)[end].control[end] * self.axis)
 
-    def jumps(self) -> Iterator[dict[int, float]]:
-        """Jumps of the travelled angle's rates at the breaks of the easing."""
+    def jumps(self) -> Iterator[dict[int, Array]]:
+        """Jumps of the rates where pieces meet."""
         rates = {k: self.rates(k) for k in RATES}
         for left, right in pairwise(range(len(self.breaks) - 1)):
-            yield {k: abs(float(r[right].control[0] - r[left].control[-1])) for k, r in rates.items()}
+            yield {k: (r[right].control[0] - r[left].control[-1]) * self.axis for k, r in rates.items()}
 
     def quantities(self, limits: Sequence[Limit]) -> Iterator[Quantity]:
-        """Rows about the axis, as polynomials in time on each interval."""
+        """Rows about the axis, as polynomials in time on each piece."""
         breaks = self.breaks.tolist()
         for row, piece, polynomial in expand_rows(list_rows(limits, self.axis), self.rates):
             yield Quantity(row, polynomial, breaks[piece], breaks[piece + 1])
@@ -146,11 +138,13 @@ class Arc:
         return float(np.linalg.norm(led - self.end))
 
     def own_checks(self) -> Iterator[Discrepancy]:
-        """How far f is from 0 at the start, from 1 at the end, and from itself at the breaks."""
-        pieces = self.easing.pieces
-        gaps = [abs(float(b[0] - a[-1])) for a, b in pairwise(pieces)]
-        error = max([abs(float(pieces[0][0])), abs(float(pieces[-1][-1]) - 1), *gaps])
-        yield Discrepancy("easings run from 0 to 1", error, EASING_TOLERANCE)
+        """How far φ is from 0 at the start, from θ at the end, from itself between; the durations' sum."""
+        angles = [polynomial.control for polynomial in self.rates(0)]
+        gaps = [abs(float(b[0] - a[-1])) for a, b in pairwise(angles)]
+        error = max([abs(float(angles[0][0])), abs(float(angles[-1][-1]) - self.angle), *gaps])
+        yield Discrepancy("arcs turn from 0 to their angle", error, ANGLE_TOLERANCE)
+        error = abs(self.profile.duration / self.duration - 1)
+        yield Discrepancy("pieces take their segment's time", error, DURATION_TOLERANCE)
 
     def document(self) -> dict[str, Any]:
         """As the law file has it."""
@@ -166,17 +160,17 @@ class Arc:
             "axis": self.axis.tolist(),
             "angle": self.angle,
             **own,
-            "easing": {
-                "breaks": self.easing.breaks.tolist(),
-                "bernstein": [piece.tolist() for piece in self.easing.pieces],
-            },
+            "pieces": [
+                {"duration": p.duration, "state": p.state.tolist(), "bernstein": p.control.tolist()}
+                for p in self.profile.pieces
+            ],
         }
 
     @classmethod
     def read(cls, s: ArcDocument) -> "Arc":
         """From the law file; numbers are taken bit for bit."""
-        pieces = tuple(np.array(c, dtype=float) for c in s.easing.bernstein)
-        easing = Easing(np.array(s.easing.breaks, dtype=float), pieces)
+        pieces = (Piece(p.duration, np.array(p.state), np.array(p.bernstein)) for p in s.pieces)
+        profile = Profile(tuple(pieces))
         start, end, axis = (np.array(v, dtype=float) for v in (s.start, s.end, s.axis))
         limits = read_bounds(s.limits)
-        return cls(s.origin, s.target, s.start_time, s.duration, start, end, axis, s.angle, easing, limits)
+        return cls(s.origin, s.target, s.start_time, s.duration, start, end, axis, s.angle, profile, limits)

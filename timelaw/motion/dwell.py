@@ -7,7 +7,7 @@ from typing import Any, ClassVar, Literal
 
 import numpy as np
 
-from timelaw.easing.easing import Side
+from timelaw.easing.profile import Side
 from timelaw.limits import Bounds, Limit
 from timelaw.motion.schema import Duration, Number, Part, Vector4
 from timelaw.motion.segment import Discrepancy, Quantity
@@ -81,7 +81,7 @@ class Dwell:
         """The k-th rate (3,) at the first (0) or last (-1) instant: zero."""
         return np.zeros(3)
 
-    def jumps(self) -> Iterator[dict[int, float]]:
+    def jumps(self) -> Iterator[dict[int, Array]]:
         """There is no break inside."""
         yield from ()
 

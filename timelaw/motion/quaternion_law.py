@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import ArrayLike
 
-from timelaw.easing.easing import Side, locate
+from timelaw.easing.profile import Side, locate
 from timelaw.limits import Bounds, make_limits
 from timelaw.limits.body import RigidBody
 from timelaw.motion.segment import MAX_ORDER, Quantity, Segment

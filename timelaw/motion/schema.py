@@ -8,8 +8,9 @@ from pydantic import AfterValidator, BaseModel, ConfigDict, Field
 from timelaw.units import LEAST, MOST
 
 SHORTEST, LONGEST = 1e-9, 1e12  # s; cubes and fourth powers of times stay far from overflow
-NARROWEST = 1e-12  # interval of an easing, angle of a leg
-WIDEST = 1e6  # control point of an easing, which runs from 0 to 1
+BRIEFEST = 1e-30  # s; a piece of a segment, which may be as short as limits are apart
+NARROWEST = 1e-12  # rad; angle of a leg
+WIDEST = 1e30  # of a rate; squares of what follows from such numbers stay far from overflow
 LARGEST_ANGLE = pi + 1e-6  # rad; a leg goes the shorter way round
 
 Number = Annotated[float, Field(allow_inf_nan=False)]

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar, Protocol, Self
 
-from timelaw.easing.easing import Side
+from timelaw.easing.profile import Side
 from timelaw.limits import Bounds, Limit, Row
 from timelaw.motion.schema import Part
 from timelaw.numerics.array import Array
@@ -108,8 +108,8 @@ class Segment(Protocol):
         """The k-th rate (3,) at an end, from inside."""
         ...
 
-    def jumps(self) -> Iterator[Mapping[int, float]]:
-        """At each break inside, by order, the size of the jump of each rate."""
+    def jumps(self) -> Iterator[Mapping[int, Array]]:
+        """At each break inside, by order, the jump (3,) of each rate."""
         ...
 
     def rates(self, order: int) -> Sequence[Function]:

@@ -40,11 +40,9 @@ class Transcription:
 
     def timings(self, x: Array) -> tuple[Timing, ...]:
         """Timings of the legs from the variables (n,) of a solution."""
-        durations, *controls = (np.array(part).ravel() for part in self.unpack(x))
-        return tuple(
-            Timing(float(t), basis.easing(c))
-            for t, basis, c in zip(durations, self.program.bases, controls, strict=True)
-        )
+        durations, *parts = (np.array(part).ravel() for part in self.unpack(x))
+        legs = zip(durations, self.program.bases, parts[::3], parts[1::3], parts[2::3], strict=True)
+        return tuple(Timing(float(t), basis.easing(*coefficients)) for t, basis, *coefficients in legs)
 
 
 @dataclass
@@ -96,9 +94,8 @@ def transcribe(
     }
     objective = program.objective.expression(_Terms(program, legs, float(np.mean(units)), effort_scale, peak))
     symbols = {"x": x, "f": objective, "g": ca.vertcat(g, *times)}
-    unpack = ca.Function(
-        "unpack", [x], [seconds, *(leg.apply(basis) for leg, basis in zip(legs, program.bases, strict=True))]
-    )
+    coefficients = [part for leg in legs for part in (leg.left, leg.free, leg.right)]
+    unpack = ca.Function("unpack", [x], [seconds, *coefficients])
     return Transcription(program, symbols, bounds, unpack, int(g.numel()))
 
 
@@ -215,10 +212,7 @@ def pack(program: Program, timings: Sequence[Timing], units: Array, peak: float)
         scale, unit = _scale(run), float(np.mean(units[first : first + len(own)]))
         parts.append(
             [
-                float(timing.easing(1.0, i, side="left"))
-                * demand.angle
-                / (timing.duration / unit) ** i
-                / scale
+                timing.easing.end(i) * demand.angle / (timing.duration / unit) ** i / scale
                 for timing, demand in zip(own[:-1], run.demands, strict=False)
                 for i in range(1, run.family.continuity + 1)
             ]

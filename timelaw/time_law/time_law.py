@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from timelaw.easing import Timing
-from timelaw.easing.easing import Side, locate
+from timelaw.easing.profile import Side, locate
 from timelaw.numerics.array import Array
 
 OPTIMISED_LAW = "optimised"  # what the law is called that the solver makes

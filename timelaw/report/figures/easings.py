@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from timelaw.easing import Easing
+from timelaw.easing import Profile
 from timelaw.easing.smoothstep import control_points
 from timelaw.pipeline import Design
 from timelaw.report.figures.style import MAX_LEGS, OPTIMISED, QUINTIC, describe_excerpt, render_svg
@@ -24,7 +24,7 @@ def draw_easings(design: Design) -> str:
     easings = [timing.easing for timing in design.solution.timings]
     for ax, order, title in ((axes[0], 0, "easing f(τ)"), (axes[1], 1, "its slope f′(τ)")):
         if any(b.name == baselines.QUINTIC for b in design.baselines):
-            grey = Easing.single(control_points(baselines.PAPER_CONTINUITY))
+            grey = Profile.single(control_points(baselines.PAPER_CONTINUITY))
             ax.plot(tau, grey(tau, order), color=QUINTIC, linewidth=1.1)
         for easing in {easing.key(): easing for easing in easings}.values():
             ax.plot(tau, easing(tau, order), color=OPTIMISED, linewidth=1.2, alpha=0.75)

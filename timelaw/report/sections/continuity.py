@@ -13,7 +13,9 @@ def _context(facts: Facts) -> dict[str, Any]:
         "largest_jumps": [_largest_jumps(entry.certificate.continuity.nodes) for entry in laws],
         "rates": RATES,
         "scales": {
-            entry.name: dict(zip([r[0] for r in RATES], entry.certificate.continuity.scales, strict=True))
+            entry.name: dict(
+                zip([r[0] for r in RATES], entry.certificate.continuity.peaks.values(), strict=False)
+            )
             for entry in laws
         },
         "jump_tolerance": JUMP_TOLERANCE,

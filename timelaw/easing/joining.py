@@ -1,0 +1,79 @@
+"""Join pieces to an easing: neighbours share their states, and the whole ends exactly where it should.
+
+Each piece starts where the one before it ends, as integration says. What rounding leaves at the end of
+the leg is put into the least change of the highest derivative's control points.
+"""
+
+import numpy as np
+
+from timelaw.easing.profile import Piece, Profile
+from timelaw.numerics.array import Array
+from timelaw.numerics.state_form import derive
+
+REPETITIONS = 2  # the second takes what rounding left of the first
+
+
+def join_pieces(durations: Array, controls: Array, start: Array, end: Array, *, smooth: bool) -> Profile:
+    """The profile from the state `start` (c+1,) to `end` (c+1,) whose next derivative is given.
+
+    `controls` (p, m+1) are its control points on pieces of `durations` (p,). Where it is `smooth`
+    that is continuous: neighbours share its control point.
+    """
+    controls = np.array(controls)
+    if smooth:
+        controls[1:, 0] = controls[:-1, -1] = (controls[1:, 0] + controls[:-1, -1]) / 2
+    share = _sharing(*controls.shape, smooth=smooth)
+    effect = _end_effect(durations, controls.shape[1], len(start)) @ share
+    for _ in range(REPETITIONS):
+        missing = end - _chain(durations, controls, start)[-1]
+        # least-norm by the normal equations, which are of the size of a state
+        weights = np.linalg.solve(effect @ effect.T, missing)
+        controls = controls + (share @ (effect.T @ weights)).reshape(controls.shape)
+    states = _chain(durations, controls, start)
+    return Profile(tuple(map(Piece, durations.tolist(), states[:-1], controls)))
+
+
+def _sharing(count: int, width: int, *, smooth: bool) -> Array:
+    """Matrix (count · width, free) from what may change to all control points."""
+    if not smooth:
+        return np.eye(count * width)
+    owner = np.arange(count)[:, None] * (width - 1) + np.arange(width)
+    return np.array(np.eye(count * (width - 1) + 1)[owner.ravel()])
+
+
+def _end_effect(durations: Array, width: int, size: int) -> Array:
+    """Matrix (c+1, p · width): the state at the end of all, per control point."""
+    ends = np.cumsum(durations)
+    effect = np.zeros((size, len(durations), width))
+    for column in range(width):
+        unit = np.zeros((len(durations), width))
+        unit[:, column] = 1.0
+        reached = _end_states(durations, np.zeros((len(durations), size)), unit)
+        effect[:, :, column] = _carry(reached, ends[-1] - ends).T
+    return effect.reshape(size, -1)
+
+
+def _end_states(durations: Array, states: Array, controls: Array) -> Array:
+    """States (p, c+1) at the ends of pieces."""
+    orders = range(states.shape[1])
+    return np.stack([derive(durations, states, controls, k)[0][:, -1] for k in orders], axis=1)
+
+
+def _carry(states: Array, times: Array) -> Array:
+    """States (p, c+1) after further times (p,) in which the highest derivative of the state stays."""
+    carried = states.copy()
+    for order in range(states.shape[1]):
+        term = np.ones_like(times)
+        for further, higher in enumerate(range(order + 1, states.shape[1]), 1):
+            term = term * times / further
+            carried[:, order] += term * states[:, higher]
+    return carried
+
+
+def _chain(durations: Array, controls: Array, start: Array) -> Array:
+    """States (p+1, c+1) at the starts of the pieces and at the end of the last, one after the other."""
+    own = _end_states(durations, np.zeros((len(durations), len(start))), controls)
+    states = [np.asarray(start, dtype=float)]
+    for width, gained in zip(durations, own, strict=True):
+        states.append(_carry(states[-1][None], np.array([width]))[0] + gained)
+    return np.array(states)
