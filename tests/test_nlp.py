@@ -154,11 +154,11 @@ def failing(times):
     """A solver that fails for the first `times` calls, and says so."""
     real, calls = exchange_module.solve, []
 
-    def solve_or_fail(symbols, start, bounds):
+    def solve_or_fail(symbols, start, bounds, *, strict):
         calls.append(None)
         if len(calls) <= times:
             return Outcome(np.full(len(start), np.nan), solved=False, acceptable=False, iterations=300)
-        return real(symbols, start, bounds)
+        return real(symbols, start, bounds, strict=strict)
 
     return solve_or_fail
 
@@ -183,7 +183,7 @@ def test_a_solver_that_always_fails_leaves_the_best_closed_form(monkeypatch):
 
 
 def test_a_solver_that_claims_success_with_a_slow_law_is_not_believed(monkeypatch):
-    def slow(_symbols, start, _bounds):
+    def slow(_symbols, start, _bounds, *, strict):  # noqa: ARG001
         return Outcome(start * np.where(np.arange(len(start)) < 1, 50.0, 1.0), True, True, 1)
 
     monkeypatch.setattr(exchange_module, "solve", slow)
@@ -219,10 +219,10 @@ def test_a_solver_that_fails_on_high_degrees_starts_from_a_simpler_easing(monkey
     expected = solve((120 * DEG,), ROBOT, 13).duration
     real = exchange_module.solve
 
-    def only_small(symbols, start, bounds):
+    def only_small(symbols, start, bounds, *, strict):
         if len(start) > 10:
             return Outcome(start, solved=False, acceptable=False, iterations=300)
-        return real(symbols, start, bounds)
+        return real(symbols, start, bounds, strict=strict)
 
     monkeypatch.setattr(exchange_module, "solve", only_small)
     solution = solve((120 * DEG,), ROBOT, 21)

@@ -9,6 +9,7 @@ from timelaw.easing.family import Family
 from timelaw.motion import QuaternionLaw
 from timelaw.nlp import Timings, optimise
 from timelaw.nlp.solution import sum_durations
+from timelaw.numerics.threads import on_one_thread
 from timelaw.orientations import OrientationSet, read_orientations
 from timelaw.problem import Problem, Source, load_problem
 from timelaw.progress import Progress
@@ -71,7 +72,7 @@ def design(path: str | Path, progress: Progress | None = None) -> Design:
 def design_problem(path: Path, problem: Problem, source: Source, progress: Progress | None = None) -> Design:
     """Design the law of a problem that is already read; tables are looked for beside `path`."""
     layout = lay_out_problem(path, problem, source, progress)
-    with source.placed():
+    with source.placed(), on_one_thread():
         family, solution = optimise(problem, layout.route, layout.requirements, progress)
     time_law = TimeLaw(OPTIMISED_LAW, solution.timings, layout.requirements.dwells)
     optimised = certify_time_law(layout, time_law, problem.nodes.continuity)
@@ -99,7 +100,7 @@ def lay_out(path: str | Path, progress: Progress | None = None) -> Layout:
 
 def lay_out_problem(path: Path, problem: Problem, source: Source, progress: Progress | None = None) -> Layout:
     """The orientations, the tour through them, the route it fixes, and what is required on that."""
-    with source.placed():
+    with source.placed(), on_one_thread():
         orientations = read_orientations(problem.route.orientations, path.parent)
         tour = find_tour(problem, orientations, progress)
         route = lay_route(orientations, tour)

@@ -39,7 +39,8 @@ class LimitKind:
 
     `quantity` is its unit, `make` the limit from bounds and the body, whose inertia it needs or not.
     Continuity of class C^`continuity` is the least under which it can hold: where a rate jumps, the
-    next one is unbounded. One that is not `sufficient` bounds no motion by itself.
+    next one is unbounded. The fastest motion under it is of class C^`smooths`. One that is not `sufficient`
+    bounds no motion by itself.
     `contradiction` says why a body can hold bounds at no time at all; empty if it can.
     """
 
@@ -47,5 +48,6 @@ class LimitKind:
     make: Callable[[Bounds, RigidBody], Limit]
     needs_inertia: bool = False
     continuity: int = 1
+    smooths: int = 0
     sufficient: bool = True
     contradiction: Callable[[Bounds, RigidBody], str] = lambda _, __: ""

@@ -21,8 +21,10 @@ def _limit_rate(name: str, bounds: Bounds) -> Rate:
 
 LIMITS: dict[str, LimitKind] = {
     "velocity": LimitKind(ANGULAR_VELOCITY, lambda bounds, _: _limit_rate("velocity", bounds)),
-    "acceleration": LimitKind(ANGULAR_ACCELERATION, lambda bounds, _: _limit_rate("acceleration", bounds)),
-    "jerk": LimitKind(ANGULAR_JERK, lambda bounds, _: _limit_rate("jerk", bounds), continuity=2),
+    "acceleration": LimitKind(
+        ANGULAR_ACCELERATION, lambda bounds, _: _limit_rate("acceleration", bounds), smooths=1
+    ),
+    "jerk": LimitKind(ANGULAR_JERK, lambda bounds, _: _limit_rate("jerk", bounds), continuity=2, smooths=2),
     "snap": LimitKind(
         ANGULAR_SNAP, lambda bounds, _: _limit_rate("snap", bounds), continuity=3, sufficient=False
     ),
@@ -30,6 +32,7 @@ LIMITS: dict[str, LimitKind] = {
         TORQUE,
         lambda bounds, body: ACTUATORS[body.actuator]("torque", bounds, body),
         needs_inertia=True,
+        smooths=1,
     ),
     "momentum": LimitKind(
         MOMENTUM,

@@ -3,17 +3,16 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import accumulate
-from math import inf
 
 from timelaw.easing import Timing
-from timelaw.easing.time_scaling import used_fraction
 from timelaw.errors import Fault, InfeasibleError
-from timelaw.nlp.program import LEAST_PEAK, Program, RunProblem
+from timelaw.nlp.given_runs import SHOWN, find_least_peak, holds_limits, solve_from_peak, stop_at_nodes
+from timelaw.nlp.program import Program, RunProblem
 from timelaw.nlp.solution import Solution, Status, sum_durations
 from timelaw.objectives import OBJECTIVES
 from timelaw.problem.objective import Goal
 from timelaw.requirements import Requirements
-from timelaw.requirements.given_times import Budget, list_budgets, meet_budgets
+from timelaw.requirements.given_times import SAME_TIME, Budget, find_stretch, list_budgets, meet_budgets
 from timelaw.route import Route
 
 LEAST_FACTOR = 0.2  # of the least-time law; a start far beyond the limits helps nobody
@@ -63,34 +62,50 @@ def solve_together(
     elastic = all(run.elastic for run in runs)
     whole = len(budgets) == 1 and budgets[0].legs == len(least)
     if elastic and whole and sum_durations(start) <= sum_durations(least) * (1 + AT_MINIMUM):
-        return Solution(start, Status.OPTIMAL)
-    scales, where = program.objective.scales_limits, given[-1].where if given else ""
+        return Solution(start, Status.AT_MINIMUM)
+    starts = [Solution(start, Status.STRETCHED)]
     solution = solve_from(program, start)
+    if solution is None or not holds_limits(program, solution):
+        starts += _stop_everywhere(program)
+        solution = _solve_from_any(program, [found.timings for found in starts[1:]])
     if solution is not None:
-        used = used_fraction(program.demands, solution.timings)
-        if used <= 1:
-            return _on_time(runs, solution, budgets)
-        if scales and elastic and used_fraction(program.demands, start) <= 1:
-            return Solution(start, Status.STRETCHED)
-        if scales:
-            raise InfeasibleError(_beyond(used, where))
-    peak = solve_from(replace(program, objective=LEAST_PEAK, weight=None), start)
-    used = inf if peak is None else used_fraction(program.demands, peak.timings)
-    if elastic and used > 1 and used_fraction(program.demands, start) <= 1:
-        return Solution(start, Status.STRETCHED)
-    if peak is None:
-        raise InfeasibleError("the solver found no law in the given times; give more time or another degree")
-    if used > 1:
-        raise InfeasibleError(_beyond(used, where))
-    solution = solve_from(program, peak.timings)
-    if solution is not None and used_fraction(program.demands, solution.timings) <= 1:
-        return replace(_on_time(runs, solution, budgets), status=Status.SECOND_START)
-    return replace(_on_time(runs, peak, budgets), status=Status.LEAST_PEAK)
+        return _on_time(runs, solution, budgets)
+    feasible = [known for known in starts if holds_limits(program, known)]
+    if feasible:
+        return _on_time(runs, feasible[0], budgets)
+    where = _find_hardest(program, start, given)
+    return _on_time(runs, solve_from_peak(program, [start], where), budgets)
 
 
-def _beyond(used: float, where: str) -> Fault:
-    times = f"{used:.6g}" if used > 1 + AT_MINIMUM else f"{used:.9g}"
-    return Fault(f"within the given times the limits would have to be {times} times as large", where)
+def _solve_from_any(program: Program, starts: Sequence[Sequence[Timing]]) -> Solution | None:
+    """The first solution that holds the limits."""
+    from timelaw.nlp.exchange import solve_from
+
+    for start in starts:
+        solution = solve_from(program, start)
+        if solution is not None and holds_limits(program, solution):
+            return replace(solution, status=Status.SECOND_START)
+    return None
+
+
+def _stop_everywhere(program: Program) -> list[Solution]:
+    """The law that stops at every node, in the given times, where these are not too short for it."""
+    if any(run.run.moving for run in program.runs):
+        return []
+    families = [run.family for run in program.runs for _ in run.demands]
+    least = stop_at_nodes(program.demands, families)
+    elastic = [demand.duration is None for demand in program.demands]
+    return [Solution(meet_budgets(least, elastic, program.budgets), Status.STOPS)]
+
+
+def _find_hardest(program: Program, start: Sequence[Timing], given: Sequence[Deadline]) -> str:
+    """The key of the first given time that cannot be kept together with those before it."""
+    for count, deadline in enumerate(given[:-1], 1):
+        part = replace(program, budgets=tuple(d.budget for d in given[:count]))
+        peak = find_least_peak(part, [start])
+        if peak is None or not holds_limits(part, peak):
+            return deadline.where
+    return given[-1].where if given else ""
 
 
 def stretch_to(
@@ -114,19 +129,21 @@ def stretch_to(
             raise InfeasibleError(Fault(message, deadline.where))
         waiting += needed
         if deadline.budget.legs in boundaries:
-            if deadline.budget.time - since < waiting * (1 - AT_MINIMUM / 10):
+            if deadline.budget.time - since < waiting * (1 - SAME_TIME):
                 raise InfeasibleError(_too_early(deadline, since + waiting + deadline.dwells))
             since, waiting = deadline.budget.time, 0.0
-        timings += [timing.stretched(max(left / needed, LEAST_FACTOR)) for timing in least[legs]]
+        factor = max(find_stretch(left, needed), LEAST_FACTOR)
+        timings += [timing.stretched(factor) for timing in least[legs]]
         passed = deadline.budget.time
     return (*timings, *least[len(timings) :])
 
 
 def _too_early(deadline: Deadline, earliest: float) -> Fault:
     asked = deadline.budget.time + deadline.dwells
+    digits = 6 if earliest > asked * (1 + SHOWN) else 12
     message = (
-        f"{asked:.6g} s is too early for {deadline.what}: "
-        f"the earliest possible is {earliest:.6g} s, {earliest - asked:.6g} s later"
+        f"{asked:.{digits}g} s is too early for {deadline.what}: "
+        f"the earliest possible is {earliest:.{digits}g} s, {earliest - asked:.6g} s later"
     )
     return Fault(message, deadline.where)
 

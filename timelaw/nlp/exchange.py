@@ -3,7 +3,7 @@
 A limit is a semi-infinite row: it must hold for all τ. Points alone are broken between (on 20 of
 them by up to 0.9 %), so after each solution the local extrema beyond a limit join the points.
 The excess falls quadratically. The last part is closed by stretching time exactly where that is
-allowed; where times are given, the program keeps a small margin from the limits instead.
+allowed; where times are given, the program keeps a small margin from the limits instead (`rooms`).
 """
 
 from collections.abc import Sequence
@@ -17,12 +17,12 @@ from timelaw.errors import InfeasibleError
 from timelaw.nlp.extrema_search import add_extrema
 from timelaw.nlp.ipopt import Outcome, solve
 from timelaw.nlp.program import Program
+from timelaw.nlp.rooms import list_points, list_rooms
 from timelaw.nlp.solution import Solution, Status, sum_durations
 from timelaw.nlp.transcription import Points, pack, transcribe
 from timelaw.numerics.array import Array
 
 GAP = 1e-6  # relative: what the limits between the points may still cost, in time or in their used part
-MARGIN = 2e-6  # of every limit, where time cannot be stretched; GAP and rounding fit into it
 ROUNDS = 12
 INSIDE = 1.01  # a start on the limits themselves costs an interior-point method many iterations
 
@@ -33,17 +33,15 @@ def solve_from(program: Program, start: Sequence[Timing]) -> Solution | None:
     A law that no stretch of time brings within the limits counts as a failure of the solver.
     """
     units = np.array([timing.duration for timing in start])
-    points: Points = [
-        [basis.points(row.orders) for row in demand.rows]
-        for demand, basis in zip(program.demands, program.bases, strict=True)
-    ]
-    room = 1.0 if program.elastic else 1.0 - MARGIN
+    points = list_points(program)
     scale = program.objective.scale(program.demands, start)
     best: Solution | None = None
     timings, iterations = _in_basis(program, start, units), 0
     for rounds in range(1, ROUNDS + 1):
-        transcription = transcribe(program, points, units, scale, room)
-        outcome = solve(transcription.symbols, _start(program, timings, units), transcription.bounds)
+        rooms = list_rooms(program, points)
+        transcription = transcribe(program, points, units, scale, rooms)
+        first = _start(program, timings, units)
+        outcome = solve(transcription.symbols, first, transcription.bounds, strict=not program.elastic)
         iterations += outcome.iterations
         if not outcome.acceptable or not np.all(np.isfinite(outcome.x)):
             return best if best is None else replace(best, status=Status.ACCEPTABLE, iterations=iterations)
@@ -65,7 +63,7 @@ def solve_from(program: Program, start: Sequence[Timing]) -> Solution | None:
 def _in_basis(program: Program, start: Sequence[Timing], units: Array) -> tuple[Timing, ...]:
     """The start as the bases can write it: a spline only comes near another curve."""
     no_points: Points = [[np.array([0.5])] * len(demand.rows) for demand in program.demands]
-    blank = transcribe(program, no_points, units, 1.0, 1.0)
+    blank = transcribe(program, no_points, units, 1.0, no_points)
     timings = blank.timings(pack(program, start, units, 0.0))
     return _fitted(program, timings) if program.elastic else timings
 

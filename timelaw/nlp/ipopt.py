@@ -18,6 +18,7 @@ OPTIONS: dict[str, Any] = {
     "ipopt.mu_strategy": "adaptive",
     "ipopt.fixed_variable_treatment": "make_parameter",
 }
+STRICT: dict[str, Any] = {"ipopt.bound_relax_factor": 0.0}
 
 
 @dataclass(frozen=True)
@@ -30,9 +31,9 @@ class Outcome:
     iterations: int
 
 
-def solve(symbols: dict[str, Any], start: Array, bounds: dict[str, Array]) -> Outcome:
-    """Minimise f under lbg ≤ g ≤ ubg and lbx ≤ x ≤ ubx from `start` (n,)."""
-    solver = ca.nlpsol("program", "ipopt", symbols, OPTIONS)
+def solve(symbols: dict[str, Any], start: Array, bounds: dict[str, Array], *, strict: bool) -> Outcome:
+    """Minimise f under lbg ≤ g ≤ ubg and lbx ≤ x ≤ ubx from `start` (n,); `strict` bounds are not relaxed."""
+    solver = ca.nlpsol("program", "ipopt", symbols, OPTIONS | (STRICT if strict else {}))
     result = solver(x0=np.clip(start, bounds["lbx"], bounds["ubx"]), **bounds)
     status = solver.stats()
     text = status["return_status"]

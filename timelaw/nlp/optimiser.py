@@ -20,7 +20,9 @@ SAME_DURATION = 1e-9
 
 def list_run_problems(route: Route, requirements: Requirements, family: Family) -> list[RunProblem]:
     """The runs of a route with what is demanded on them."""
-    return [RunProblem(run.demands, family, run.start, run.end) for run in requirements.by_run(route)]
+    return [
+        RunProblem(run.demands, family, run.start, run.end, run.where) for run in requirements.by_run(route)
+    ]
 
 
 def optimise(

@@ -16,13 +16,15 @@ LEAST_TIME, LEAST_PEAK = OBJECTIVES["time"], OBJECTIVES["peak"]
 class RunProblem:
     """A run over legs about one axis, with easings of a family.
 
-    `start` and `end` are its rates φ', φ'', … there, empty for rest.
+    `start` and `end` are its rates φ', φ'', … there, empty for rest; `where` is the key of the problem
+    file that says what is hard about it.
     """
 
     demands: tuple[Demand, ...]
     family: Family
     start: tuple[float, ...] = ()
     end: tuple[float, ...] = ()
+    where: str = ""
 
     @cached_property
     def run(self) -> RunDemand:

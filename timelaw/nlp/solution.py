@@ -13,6 +13,7 @@ class Status(Enum):
     OPTIMAL = "solved to optimality"
     CHOSEN = "the double-S profile, as chosen"
     PHYSICAL_LIMIT = "the double-S profile, which the easing contains and no law beats"
+    STEADY = "a steady turn, which starts and ends as it goes on"
     SECOND_START = "solved to optimality from the second start"
     SIMPLER = "solved from the solution of a simpler easing, after other starts failed"
     GAP_LEFT = (
@@ -29,6 +30,11 @@ class Status(Enum):
     LEAST_PEAK = (
         "the solver failed on the objective: the law that uses the least part of the limits is used; "
         "try another easing degree or more time"
+    )
+    AT_MINIMUM = "the least-time law: the given time leaves room for no other"
+    STOPS = (
+        "the solver failed from every start: a law that stops at every node is used, stretched to the given "
+        "times; try another easing"
     )
     CLOSED_FORM = (
         "the solver failed from every start: the best law in closed form is used; try another easing"

@@ -61,9 +61,9 @@ class _Leg:
 
 
 def transcribe(
-    program: Program, points: Points, units: Array, effort_scale: float, room: float
+    program: Program, points: Points, units: Array, effort_scale: float, rooms: Points
 ) -> Transcription:
-    """Build the program with limits demanded at the given points, `room` times the bounds."""
+    """Build the program with limits demanded at the given points, `rooms` times the bounds there."""
     demands = program.demands
     sizes = [len(demands), *(_sizes(run) for run in program.runs), 1]
     x = ca.MX.sym("x", sum(sizes))
@@ -84,7 +84,8 @@ def transcribe(
         g = ca.vertcat(g - used, -g - used)
     seconds = ca.vertcat(*(leg.duration for leg in legs))
     times = [ca.sum1(seconds[: budget.legs]) / budget.time for budget in program.budgets]
-    upper = np.zeros(g.numel()) if with_peak else np.full(g.numel(), room)
+    room = np.concatenate([part for leg_rooms in rooms for part in leg_rooms])
+    upper = np.zeros(g.numel()) if with_peak else room
     lower = np.full(g.numel(), -np.inf) if with_peak else -upper
     ones = np.ones(len(times))
     bounds = {

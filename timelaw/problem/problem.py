@@ -7,6 +7,7 @@ from pydantic import BeforeValidator, Field, model_validator
 from timelaw.easing.registry import BASES, MAX_DEGREE, BasisKind
 from timelaw.limits import LIMITS
 from timelaw.limits.body import RigidBody
+from timelaw.limits.bounds import Bounds
 from timelaw.limits.registry import POINT
 from timelaw.objectives import OBJECTIVES
 from timelaw.problem.body import Body
@@ -93,13 +94,23 @@ class Problem(Model):
             raise fault(
                 "a double-s has the least time from rest to rest; it keeps no given times", "easing", "basis"
             )
-        if self.nodes.continuity > 2 or (self.nodes.continuity == 2 and "jerk" not in self.limits.given()):
+        highest = max((LIMITS[name].smooths for limits in self._all_limits() for name in limits), default=0)
+        if self.nodes.continuity > highest:
+            given = self.nodes.continuity
             raise fault(
-                "a double-s has continuity 2 where the jerk is limited, else 1; ask for no more",
+                f"under these limits a double-s has continuity {highest}, not {given}: 2 where the jerk is "
+                "limited, 1 where acceleration or torque is, 0 where neither is",
                 "easing",
                 "basis",
             )
         return self
+
+    def _all_limits(self) -> list[dict[str, Bounds]]:
+        """Those of the whole motion, of single legs and at single nodes."""
+        own = [rule.limits for rule in self.segments.values()] + [
+            rule.limits for rule in self.nodes.at.values()
+        ]
+        return [self.limits.given(), *(limits.given() for limits in own if limits)]
 
     @model_validator(mode="after")
     def _effort_is_finite(self) -> Self:

@@ -6,6 +6,8 @@ from dataclasses import dataclass
 from timelaw.easing import Timing
 from timelaw.requirements.requirements import Requirements
 
+SAME_TIME = 1e-11  # relative; a least time that is given to its last digit is not undercut
+
 
 @dataclass(frozen=True)
 class Budget:
@@ -13,6 +15,12 @@ class Budget:
 
     legs: int
     time: float
+
+
+def find_stretch(time: float, needed: float) -> float:
+    """The factor from one time to another; 1 where what is given is what is needed but for rounding."""
+    factor = time / needed
+    return 1.0 if 1 - SAME_TIME <= factor < 1 else factor
 
 
 def list_budgets(requirements: Requirements, total: float | None = None) -> list[Budget]:
@@ -37,7 +45,7 @@ def meet_budgets(
         part = list(zip(timings, elastic, strict=True))[len(met) : budget.legs]
         free = sum(timing.duration for timing, may in part if may)
         rest = sum(timing.duration for timing, may in part if not may)
-        factor = (budget.time - passed - rest) / free if free else 1.0
+        factor = find_stretch(budget.time - passed - rest, free) if free else 1.0
         met += [timing.stretched(factor) if may else timing for timing, may in part]
         passed = budget.time
     return (*met, *timings[len(met) :])

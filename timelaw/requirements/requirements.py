@@ -1,8 +1,9 @@
 """Resolve what the problem file says about legs and nodes, by label, onto a route."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from timelaw.easing.family import classify_profile
 from timelaw.errors import Fault, InputError, list_some
 from timelaw.limits import Bounds, Demand, drop_implied, list_rows, make_limits
 from timelaw.limits.body import RigidBody
@@ -10,6 +11,8 @@ from timelaw.limits.torque import make_torque_row
 from timelaw.problem import Problem
 from timelaw.problem.nodes import NodeRule, SegmentRule
 from timelaw.problem.route import SEARCHED
+from timelaw.requirements.arrivals import check_arrivals
+from timelaw.requirements.end_rates import check_end_rates, ease_end_rates
 from timelaw.requirements.run_demand import RunDemand
 from timelaw.route import Route, Run
 
@@ -43,13 +46,21 @@ class Requirements:
 
     def by_run(self, route: Route, *, stop: bool = False) -> list[RunDemand]:
         """The demands run by run, or with `stop` leg by leg, and how the motion begins and ends."""
-        if stop:
-            runs = [RunDemand((demand,)) for demand in self.demands]
-        else:
-            runs = [RunDemand(tuple(self.demands[k] for k in run.legs)) for run in self.runs(route)]
-        runs[0] = replace(runs[0], start=self.start)
-        runs[-1] = replace(runs[-1], end=self.end)
+        legs = (
+            [range(k, k + 1) for k in range(len(route.legs))] if stop else [r.legs for r in self.runs(route)]
+        )
+        runs = [RunDemand(tuple(self.demands[k] for k in run), where=self._where(route, run)) for run in legs]
+        runs[0] = replace(runs[0], start=ease_end_rates(self.start, self.demands[0]))
+        runs[-1] = replace(runs[-1], end=ease_end_rates(self.end, self.demands[-1]))
         return runs
+
+    def _where(self, route: Route, legs: range) -> str:
+        """The key that says what is hard about a run: its fixed duration, or how it begins or ends."""
+        fixed = [k for k in legs if self.demands[k].duration is not None]
+        if fixed:
+            leg = route.legs[fixed[0]]
+            return f"segments.{leg.origin}-{leg.target}.duration"
+        return "nodes.start" if any(self.start) and 0 in legs else "nodes.end"
 
 
 def resolve_requirements(problem: Problem, route: Route) -> Requirements:
@@ -73,19 +84,36 @@ def resolve_requirements(problem: Problem, route: Route) -> Requirements:
         torque = make_torque_row(body, leg.axis) if body is not None else None
         demands.append(Demand(leg.angle, rows, rule.duration if rule else None, torque))
     dwells = _dwells(problem, route, rules)
+    if problem.easing.kind.rigid:
+        _check_profile(problem, route, demands)
     stops = {i for i, rule in rules.items() if rule.stop} | {i for i, d in enumerate(dwells) if d > 0}
     arrivals: dict[int, float] = {i: rule.time for i, rule in rules.items() if rule.time is not None}
+    check_arrivals(route, arrivals, dwells, problem.objective.total_time)
+    start = problem.nodes.start.rates(problem.nodes.continuity) if problem.nodes.start else ()
+    end = problem.nodes.end.rates(problem.nodes.continuity) if problem.nodes.end else ()
+    check_end_rates("start", start, demands[0])
+    check_end_rates("end", end, demands[-1])
     return Requirements(
         tuple(demands),
         dwells,
         frozenset(stops),
         arrivals,
-        problem.nodes.start.rates(problem.nodes.continuity) if problem.nodes.start else (),
-        problem.nodes.end.rates(problem.nodes.continuity) if problem.nodes.end else (),
+        start,
+        end,
         given,
         own,
         body,
     )
+
+
+def _check_profile(problem: Problem, route: Route, demands: Sequence[Demand]) -> None:
+    """Refuse a double-S where the limits of some leg leave it less smooth than is asked."""
+    for leg, demand in zip(route.legs, demands, strict=True):
+        found = classify_profile([demand])
+        if found < problem.nodes.continuity:
+            asked = problem.nodes.continuity
+            message = f"under the limits on leg {leg.name} a double-s has continuity {found}, not {asked}"
+            raise InputError(Fault(message, "easing.basis"))
 
 
 def _node_rules(problem: Problem, route: Route) -> dict[int, NodeRule]:

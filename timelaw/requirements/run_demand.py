@@ -9,11 +9,15 @@ from timelaw.limits import Demand
 
 @dataclass(frozen=True)
 class RunDemand:
-    """The demands of the legs of a run; the rates φ', φ'', … at its ends, none for rest."""
+    """The demands of the legs of a run; the rates φ', φ'', … at its ends, none for rest.
+
+    `where` is the key of the problem file to be named where no law does all that.
+    """
 
     demands: tuple[Demand, ...]
     start: tuple[float, ...] = ()
     end: tuple[float, ...] = ()
+    where: str = ""
 
     @property
     def moving(self) -> bool:
