@@ -14,6 +14,8 @@ from timelaw.problem.route import SEQUENCE
 from timelaw.problem.source import KeyPath, Source, read
 
 VERSION = 1
+LABELLED: tuple[KeyPath, ...] = (("route", "tour"), ("nodes", "at"))  # lists and mappings of labels
+LABELS: tuple[KeyPath, ...] = (("route", "start"), ("route", "end"))
 
 
 def load_problem(path: Path) -> tuple[Problem, Source]:
@@ -63,10 +65,32 @@ def check_problem(source: Source) -> Problem:
     if "timelaw" in source.data and (version != VERSION or isinstance(version, bool)):
         message = f"{quote(version)}; this program reads problem files of version {VERSION}"
         raise InputError(source.fault(("timelaw",), message))
+    refuse_numbers_for_labels(source)
     try:
         return Problem.model_validate(source.data)
     except ValidationError as error:
         raise InputError(*translate(source, error, Problem)) from None
+
+
+def refuse_numbers_for_labels(source: Source) -> None:
+    """Say that a label such as 001 has to be quoted, which YAML reads as the number 1.
+
+    Raises:
+        InputError: labels that are whole numbers, written in another way than numbers are.
+    """
+    faults = []
+    for where, text in source.numbers.items():
+        if where[:-1] in LABELLED or where in LABELS:
+            hint = f'write "{text}" if that is the label'
+            message = f"{text} without quotes is the number {int(text.replace('_', ''), _base(text))}; {hint}"
+            faults.append(source.fault(where, message, at_key=True))
+    if faults:
+        raise InputError(*faults)
+
+
+def _base(text: str) -> int:
+    """Of a whole number in YAML 1.2."""
+    return {"0o": 8, "0x": 16, "0b": 2}.get(text.lstrip("+-")[:2].lower(), 10)
 
 
 def translate(source: Source, error: ValidationError, model: type[BaseModel]) -> list[Fault]:
