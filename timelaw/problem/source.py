@@ -107,9 +107,10 @@ def _path(text: str) -> KeyPath:
     return tuple(parts)
 
 
-def read(
-    text: str, path: str, kind: str = 'problem file is a mapping that starts with "timelaw: 1"'
-) -> Source:
+PROBLEM = 'problem file is a mapping that starts with "timelaw: 1"'
+
+
+def read(text: str, path: str, kind: str = PROBLEM) -> Source:
     """Parse one YAML 1.2 document.
 
     Raises:

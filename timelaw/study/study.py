@@ -12,12 +12,10 @@ import numpy as np
 from pydantic import BeforeValidator, Field, ValidationError
 
 from timelaw.errors import InputError
-from timelaw.files import read_text
 from timelaw.objectives import EFFORTS
 from timelaw.problem import Source
 from timelaw.problem.fields import Model, fault, one_of
-from timelaw.problem.load import refuse_other_kinds, translate
-from timelaw.problem.source import read
+from timelaw.problem.load import read_source, translate
 
 MOST_DESIGNS = 10_000
 STUDY = 'study file is a mapping that starts with "timelaw-study: 1"'
@@ -81,15 +79,13 @@ def read_study(path: Path) -> Study:
     Raises:
         InputError: either file is wrong.
     """
-    source = read(read_text(path), str(path), STUDY)
-    refuse_other_kinds(source, "a study file")
+    source = read_source(path, "a study file", STUDY)
     try:
         model = StudyModel.model_validate(source.data)
     except ValidationError as error:
         raise InputError(*translate(source, error, StudyModel)) from None
     problem = path.parent / model.problem
-    base = read(read_text(problem), str(problem))
-    refuse_other_kinds(base, "a problem file")
+    base = read_source(problem, "a problem file")
     study = Study(model.name, problem, base, dict(model.vary), model.effort, source)
     for one in study.vary:
         inside = next((other for other in study.vary if other.startswith(f"{one}.")), None)
