@@ -97,7 +97,7 @@ def _refuse_other_columns(rows: list[Row], form: Form, path: Path) -> None:
         if form.width == 9 and width in HOMOGENEOUS:
             ways = [row * 4 + column + 1 for row in range(3) for column in range(3)]
             hint = f" ({UPPER_LEFT})"
-        message = f"{width} columns, and no header; {form.name} takes {form.width} of them"
+        message = f"{width} columns and no header; {form.width} are needed for {form.name}"
         raise make_fault(f"{message}: name them, or give columns: {ways}, counted from 1{hint}", path, line)
     first = rows[0][1]
     if first == [str(i) for i in range(width)]:

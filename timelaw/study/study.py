@@ -18,6 +18,7 @@ from timelaw.problem.fields import Model, fault, one_of
 from timelaw.problem.load import read_source, translate
 
 MOST_DESIGNS = 10_000
+LARGEST = 1e300  # differences of such numbers are finite
 STUDY = 'study file is a mapping that starts with "timelaw-study: 1"'
 WITH_UNIT = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*$")
 
@@ -34,8 +35,10 @@ def _values(value: Any) -> tuple[Any, ...]:
     ends = [WITH_UNIT.match(str(value[end])) for end in ("from", "to")]
     if ends[0] is None or ends[1] is None or ends[0].group(2) != ends[1].group(2):
         raise fault(f"from {value['from']} to {value['to']}; both need a number and the same unit")
-    unit = ends[0].group(2)
-    numbers = np.linspace(float(ends[0].group(1)), float(ends[1].group(1)), steps)
+    unit, first, last = ends[0].group(2), float(ends[0].group(1)), float(ends[1].group(1))
+    if not max(abs(first), abs(last)) <= LARGEST:
+        raise fault(f"from {value['from']} to {value['to']}; numbers up to {LARGEST:g} are allowed")
+    numbers = np.linspace(first, last, steps)
     if unit:
         return tuple(f"{number:.12g} {unit}" for number in numbers)
     return tuple(int(number) if float(number).is_integer() else float(number) for number in numbers)
