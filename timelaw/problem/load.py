@@ -100,7 +100,7 @@ def refuse_numbers_for_labels(source: Source) -> None:
         if where[:-1] in LABELLED or where in LABELS:
             hint = f'write "{text}" if that is the label'
             message = f"{text} without quotes is the number {int(text.replace('_', ''), _base(text))}; {hint}"
-            faults.append(source.fault(where, message, at_key=True))
+            faults.append(source.fault(where, message, at_key=where[:-1] == ("nodes", "at")))
     if faults:
         raise InputError(*faults)
 
