@@ -118,7 +118,7 @@ def test_equal_orientations_in_a_row_say_what_to_do(tmp_path):
         lay_out(write(tmp_path, **whole, **tour))
     message = 'route.tour: "2" and "3" follow each other and are the same orientation; leave one out, or add duplicates: merge to the orientations'
     assert str(error.value).endswith(message)
-    merged = {list(whole)[0]: f"{ALIKE}, duplicates: merge"}
+    merged = {next(iter(whole)): f"{ALIKE}, duplicates: merge"}
     assert len(lay_out(write(tmp_path, **merged, **tour)).route.legs) == 2
     with pytest.raises(InputError, match='"3" is the same orientation as "2" and merged with it; say "2"'):
         lay_out(write(tmp_path, **merged))

@@ -125,11 +125,8 @@ def _refuse_what_cannot_be_searched(points: OrientationSet) -> None:
             Fault(f"some orientations are the same: {listing}; add duplicates: merge", "route.orientations")
         )
     if len(points) > MOST_ORIENTATIONS:
-        fewer = (
-            "duplicates: merge with a larger tolerance makes them fewer, and given or a list is not searched"
-        )
         most = f"a tour is searched for {MOST_ORIENTATIONS} orientations at most, not for {len(points)}"
-        raise _fault(f"{most}; {fewer}")
+        raise _fault(f"{most}; merge them with a larger tolerance, or give the tour")
     if len(points) < 3:
         raise _fault("two orientations have one tour only; use given")
 
