@@ -11,6 +11,8 @@ from scipy.spatial.transform import Rotation
 from tests.cases import problem
 from timelaw.errors import InputError
 from timelaw.orientations import read_orientations
+from timelaw.orientations.angle_files import READERS
+from timelaw.problem.route import ANGLE_FILES
 
 DEGREES = [[10.5, 20.0, 30.25], [200.0, 95.0, 310.0], [-40.0, 5.5, 77.0]]
 EXPECTED = Rotation.from_euler("ZXZ", DEGREES, degrees=True).as_quat(scalar_first=True)
@@ -115,7 +117,7 @@ def test_tables_that_could_be_read_in_two_ways(case, tmp_path):
     ("columns", "message"),
     [
         ("[0, 1, 2]", "[0, 1, 2]; columns are counted from 1"),
-        ("[1, 2, 2]", "as many different names as the form has numbers are needed"),
+        ("[1, 2, 2]", "as many different columns as the form has numbers are needed"),
         ("[1, 2, b]", "names of columns, or their numbers counted from 1, are needed"),
         ("[1, 2, true]", "names of columns, or their numbers counted from 1, are needed"),
         ("[1, 2, 3.0]", "names of columns, or their numbers counted from 1, are needed"),
@@ -150,6 +152,10 @@ def test_the_unit_of_an_angle_file_may_be_given(kind, unit, tmp_path):
     same(read(f"unit: {unit}", tmp_path, text, f"map.{kind}"))
     if (kind, unit) in (("ang", "rad"), ("ctf", "deg")):
         same(read("turned: {}", tmp_path, text, f"map.{kind}"))
+
+
+def test_the_model_knows_the_kinds_of_angle_files():
+    assert set(READERS) == set(ANGLE_FILES)
 
 
 def test_an_angle_file_in_degrees_is_no_file_in_radians(tmp_path):

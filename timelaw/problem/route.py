@@ -1,6 +1,7 @@
 """The part of a problem file about the route: which orientations, in which order."""
 
 from math import hypot
+from pathlib import PurePath
 from typing import Annotated, Any, Literal, Self, get_args
 
 from pydantic import BeforeValidator, Field, model_validator
@@ -101,7 +102,8 @@ class Orientations(Model):
     @model_validator(mode="after")
     def _columns_differ(self) -> Self:
         if self.columns is not None and not 0 < len(set(self.columns)) == len(self.columns):
-            raise fault("as many different names as the form has numbers are needed", "columns")
+            what = "names" if isinstance((*self.columns, "")[0], str) else "columns"
+            raise fault(f"as many different {what} as the form has numbers are needed", "columns")
         if self.columns and isinstance(self.columns[0], int) and self.form is None:
             raise fault('numbers of columns do not say what is in them; give "as" too', "columns")
         return self
@@ -131,7 +133,7 @@ class Orientations(Model):
         return self
 
     def _is_angle_file(self) -> bool:
-        return self.file is not None and self.file.lower().endswith(ANGLE_FILES)
+        return self.file is not None and PurePath(self.file).suffix.lower() in ANGLE_FILES
 
 
 class RouteModel(Model):
