@@ -111,7 +111,14 @@ def test_a_wrong_file_is_exit_2_with_places_and_no_traceback(tmp_path):
         (["design", "x.yaml", "--fast"], "No such option"),
         (["design", "none.yaml"], "none.yaml: cannot be read: No such file or directory"),
         (["verify", "none.json"], "none.json: cannot be read: No such file or directory"),
-        (["verify", str(PROBLEMS / "first-steps.yaml")], "not readable as JSON"),
+        (
+            ["verify", str(PROBLEMS / "first-steps.yaml")],
+            "first-steps.yaml: this is a problem file, not a law file; run timelaw design",
+        ),
+        (
+            ["verify", str(PROBLEMS / "studies" / "calm-front.yaml")],
+            "this is a study file, not a law file; use it with: timelaw sweep",
+        ),
     ],
 )
 def test_a_wrong_command_line_is_exit_2(arguments, message):

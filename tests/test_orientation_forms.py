@@ -116,7 +116,7 @@ def test_ctf_files(tmp_path):
     (tmp_path / "map.ctf").write_text(head + names + "\n".join(rows))
     found = read("file: map.ctf", tmp_path)
     np.testing.assert_allclose(rotation_matrix(found.quaternions), ATTITUDES, atol=1e-12)
-    assert found.labels == ("1", "2")
+    assert found.labels == ("1", "3")
 
 
 def test_frames_turn_before_and_after():

@@ -64,7 +64,7 @@ CASES = {
     "one orientation": (replaced("{lattice: 24-cell}", "{list: [[1, 0, 0, 0]]}"), "4:17: route.orientations: a list needs at least two orientations"),
     "tour": (replaced("paper", "papr"), '5:9: route.tour: "papr"; allowed: paper, shortest, fewest-stops, least-turning, fastest, given, or a list of labels; did you mean "paper"?'),
     "tour of one": (replaced("paper", "[1]"), "5:9: route.tour: a tour needs at least two labels"),
-    "tour label": (replaced("paper", "[1, 2.5]"), "5:9: route.tour: a label is a number or a text, not 2.5"),
+    "tour label": (replaced("paper", "[1, 2.5]"), "5:9: route.tour: a label is a number or a text, not 2.5; a text may need quotes"),
     "closed": (replaced("paper", "paper\n  closed: yes"), '6:11: route.closed: "yes"; allowed: true, false'),
     "no limits": (replaced("\n  velocity: 60 deg/s", " {}"), f"6:9: limits: at least one of {LIMITS} must be given"),
     "bare number": (replaced("60 deg/s", "60"), '7:13: limits.velocity: "60" has no unit; write an angular velocity like "60 deg/s"'),

@@ -68,8 +68,12 @@ def test_given_and_labels_and_closed():
     [
         (f"{LIST}, tour: [1, 2, 4]", 'no orientation is called "4"; there are 1, 2, 3'),
         (
-            f"{LIST}, tour: [1, 2, 1, 3]",
-            'the tour visits "1" more than once; set closed: true to return to the start',
+            f"{LIST}, tour: [1, 2, 2, 3]",
+            'the tour visits "2" twice in a row',
+        ),
+        (
+            f"{LIST}, tour: [1, 2, 3, 1], closed: true",
+            'the tour visits "1" twice in a row; with closed: true the first one is not repeated',
         ),
         (f"{LIST}, tour: [1, 3]", "the tour leaves out 2; every orientation must be visited"),
         (

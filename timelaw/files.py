@@ -1,12 +1,26 @@
-"""Files whole: read at once up to a size, written whole or not at all, texts and bytes."""
+"""Files whole: read up to a size, written whole or not at all, texts and bytes; plain data for JSON."""
 
 import os
 import tempfile
+from math import isfinite
 from pathlib import Path
+from typing import Any
 
 from timelaw.errors import Fault, InputError
 
 MAX_BYTES = 10_000_000  # far above any real problem file; a wrong file is refused before it is parsed
+
+
+START = 1000  # bytes, in which a file shows of what kind it is
+
+
+def read_start(path: Path) -> bytes:
+    """The first bytes of a file.
+
+    Raises:
+        InputError: it cannot be read.
+    """
+    return _read(path, START)
 
 
 def read_bytes(path: Path, most: int = MAX_BYTES) -> bytes:
@@ -15,16 +29,20 @@ def read_bytes(path: Path, most: int = MAX_BYTES) -> bytes:
     Raises:
         InputError: it is larger or cannot be read.
     """
+    content = _read(path, most + 1)
+    if len(content) > most:
+        raise InputError(Fault(f"larger than {most // 1_000_000} MB", "", str(path)))
+    return content
+
+
+def _read(path: Path, most: int) -> bytes:
     try:
         with path.open("rb") as file:
-            content = file.read(most + 1)
+            return file.read(most)
     except OSError as error:
         raise InputError(Fault(f"cannot be read: {error.strerror or error}", "", str(path))) from None
     except ValueError as error:  # a name that no file can have
         raise InputError(Fault(f"cannot be read: {error}", "", repr(str(path)))) from None
-    if len(content) > most:
-        raise InputError(Fault(f"larger than {most // 1_000_000} MB", "", str(path)))
-    return content
 
 
 def read_text(path: Path, most: int = MAX_BYTES) -> str:
@@ -37,6 +55,15 @@ def read_text(path: Path, most: int = MAX_BYTES) -> str:
         return read_bytes(path, most).decode("utf-8-sig")
     except UnicodeDecodeError:
         raise InputError(Fault("is not a UTF-8 text", "", str(path))) from None
+
+
+def replace_unbounded(data: Any) -> Any:
+    """Plain data as JSON can hold it: null for numbers that are not finite."""
+    if isinstance(data, dict):
+        return {key: replace_unbounded(value) for key, value in data.items()}
+    if isinstance(data, list | tuple):
+        return [replace_unbounded(value) for value in data]
+    return None if isinstance(data, float) and not isfinite(data) else data
 
 
 def write_file(path: Path, content: str | bytes) -> None:
@@ -68,6 +95,18 @@ def write_bytes(path: Path, content: bytes) -> None:
             raise
     except OSError as error:
         raise InputError(Fault(f"cannot be written: {error.strerror or error}", "", str(path))) from None
+
+
+def remove_file(path: Path) -> None:
+    """Remove a file that may be there.
+
+    Raises:
+        InputError: it cannot be removed.
+    """
+    try:
+        path.unlink(missing_ok=True)
+    except OSError as error:
+        raise InputError(Fault(f"cannot be removed: {error.strerror or error}", "", str(path))) from None
 
 
 def _umask() -> int:

@@ -71,8 +71,17 @@ def design(path: str | Path, progress: Progress | None = None) -> Design:
 
 def design_problem(path: Path, problem: Problem, source: Source, progress: Progress | None = None) -> Design:
     """Design the law of a problem that is already read; tables are looked for beside `path`."""
-    layout = lay_out_problem(path, problem, source, progress)
-    with source.placed(), on_one_thread():
+    return design_layout(lay_out_problem(path, problem, source, progress), progress)
+
+
+def design_layout(layout: Layout, progress: Progress | None = None) -> Design:
+    """Design the law of a problem whose route is laid.
+
+    Raises:
+        InfeasibleError: no law was found.
+    """
+    problem = layout.problem
+    with layout.source.placed(), on_one_thread():
         family, solution = optimise(problem, layout.route, layout.requirements, progress)
     time_law = TimeLaw(OPTIMISED_LAW, solution.timings, layout.requirements.dwells)
     optimised = certify_time_law(layout, time_law, problem.nodes.continuity)

@@ -1,5 +1,6 @@
 """What a law file says of itself, compared with what its motion shows."""
 
+from math import isfinite
 from typing import Any
 
 from timelaw.certificate.certificate import Certificate
@@ -47,6 +48,8 @@ def _close(recorded: Any, value: Any) -> bool:
         )
     if isinstance(value, bool) or isinstance(recorded, bool):
         return value is recorded
+    if isinstance(value, float) and not isfinite(value):
+        return recorded is None  # JSON has no other word for it
     if isinstance(value, float) and isinstance(recorded, int | float):
         return abs(recorded - value) <= RECORD_TOLERANCE * max(abs(value), abs(recorded), 1.0)
     return bool(recorded == value)

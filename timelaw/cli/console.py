@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from timelaw.errors import TimelawError
+from timelaw.files import replace_unbounded
 from timelaw.progress import Progress
 from timelaw.units import convert, name_unit
 
@@ -19,8 +20,8 @@ UNBOUNDED = 100_000  # characters; no table of ours is wider
 
 
 def print_json(data: dict[str, Any]) -> None:
-    """One object on stdout."""
-    print(json.dumps(data, indent=1, allow_nan=False))
+    """One object on stdout; what has no bound, or is no number, is null: findings say what it is."""
+    print(json.dumps(replace_unbounded(data), indent=1, allow_nan=False))
 
 
 def describe_error(error: TimelawError, code: int) -> dict[str, Any]:
@@ -66,7 +67,9 @@ def print_table(headings: list[str], rows: list[list[str]]) -> None:
     # as wide as it is: a terminal folds what is too long for it, and nothing is cut
     console = Console(stderr=True, highlight=False)
     widest = console.measure(table, options=console.options.update(max_width=UNBOUNDED)).maximum
-    Console(stderr=True, highlight=False, width=max(widest, console.width)).print(table)
+    Console(stderr=True, highlight=False, width=max(widest, console.width), height=console.height).print(
+        table
+    )
 
 
 def print_limits(certificate: "Certificate", *, degrees: bool = False) -> None:

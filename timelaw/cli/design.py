@@ -6,29 +6,37 @@ from pathlib import Path
 from typing import Any
 
 from timelaw.cli.console import RESULTS, print_json, print_limits, print_table, say, show_progress
-from timelaw.errors import EXIT_DONE, EXIT_FINDINGS
+from timelaw.errors import EXIT_DONE, EXIT_FINDINGS, InputError
 from timelaw.export import format_law
 from timelaw.export.registry import EXPORTERS
-from timelaw.files import write_file
-from timelaw.pipeline import Design, design
+from timelaw.export.samples_csv import refuse_too_many_rows
+from timelaw.files import remove_file, write_file
+from timelaw.pipeline import Design, Layout, design_layout, lay_out
 from timelaw.report import LawRow, list_law_rows, render_report
 from timelaw.report.outcome import describe_outcome, measure_gain
+from timelaw.requirements.route_limit import find_route_limit
 
 
 def run(problem: str, output: str | None, *, as_json: bool) -> int:
     """Design the law of a problem file and write its results; returns the exit code."""
     path = Path(problem)
     with show_progress() as report:
-        done = design(path, report)
+        layout = lay_out(path, report)
+        _refuse_too_many_samples(layout)
+        done = design_layout(layout, report)
         folder = Path(output) if output is not None else RESULTS / done.problem.name
-        with done.source.placed():
-            files = list_files(done, path)
+        samples, left_out = list_samples(done)
+        files = list_files(done, path, samples)
         for name, content in files.items():
             write_file(folder / name, content)
+        for name in left_out:
+            remove_file(folder / name)  # of another law, if there is one
     rows = list_law_rows(done)
     certificate = done.optimised.certificate
     _print(done, rows, folder)
-    code = EXIT_DONE if certificate.holds else EXIT_FINDINGS
+    for finding in left_out.values():
+        say(f"finding: {finding}")
+    code = EXIT_DONE if certificate.holds and not left_out else EXIT_FINDINGS
     if as_json:
         print_json(
             {
@@ -39,10 +47,22 @@ def run(problem: str, output: str | None, *, as_json: bool) -> int:
                 "laws": [row.to_dict() for row in rows],
                 **_objective(done),
                 "certificate": certificate.to_dict(),
-                "findings": certificate.findings(),
+                "findings": [*certificate.findings(), *left_out.values()],
             }
         )
     return code
+
+
+def _refuse_too_many_samples(layout: Layout) -> None:
+    """Before anything is solved, as far as is known: no law is faster than the limit of its route.
+
+    Raises:
+        InputError: the samples of any law would be too many.
+    """
+    least, asked = find_route_limit(layout.route, layout.requirements), layout.problem.objective.total_time
+    with layout.source.placed():
+        rate = layout.problem.output.rate
+        refuse_too_many_rows(max(least, asked.seconds(least)) if asked else least, rate, "at least")
 
 
 def _objective(done: Design) -> dict[str, Any]:
@@ -55,8 +75,10 @@ def _objective(done: Design) -> dict[str, Any]:
     return {"objective": {"minimise": gain.objective.name, **found, "gained": gain.part}}
 
 
-def list_files(done: Design, path: Path) -> dict[str, str | bytes]:
-    """Contents by file name; the law file comes first."""
+def list_files(
+    done: Design, path: Path, samples: dict[str, str | bytes] | None = None
+) -> dict[str, str | bytes]:
+    """Contents by file name: the law, which comes first, its `samples` in the usual formats, its report."""
     digest = "sha256:" + hashlib.sha256(done.source.text.encode("utf-8", "replace")).hexdigest()
     provenance: dict[str, Any] = {
         "problem": path.name,
@@ -66,13 +88,25 @@ def list_files(done: Design, path: Path) -> dict[str, str | bytes]:
             for s in done.solution.solutions
         ],
     }
-    law, rate = done.optimised.law, done.problem.output.rate
-    usual = [exporter for exporter in EXPORTERS.values() if exporter.usual]
+    law = done.optimised.law
     return {
         "law.json": format_law(law, done.optimised.certificate, provenance),
-        **{exporter.file_name: exporter.write(law, rate) for exporter in usual},
+        **(list_samples(done)[0] if samples is None else samples),
         **render_report(done, digest),
     }
+
+
+def list_samples(done: Design) -> tuple[dict[str, str | bytes], dict[str, str]]:
+    """Contents by file name of the usual formats, and of those that are left out the reason."""
+    written: dict[str, str | bytes] = {}
+    left_out: dict[str, str] = {}
+    for exporter in (exporter for exporter in EXPORTERS.values() if exporter.usual):
+        try:
+            with done.source.placed():
+                written[exporter.file_name] = exporter.write(done.optimised.law, done.problem.output.rate)
+        except InputError as error:  # all else is designed, and worth keeping
+            left_out[exporter.file_name] = f"{exporter.file_name} is left out: {error}"
+    return written, left_out
 
 
 def _print(done: Design, rows: list[LawRow], folder: Path) -> None:

@@ -17,6 +17,7 @@ from timelaw.tours import sharpen
 from timelaw.tours.straightest import STRAIGHT
 
 PICTURE = ".svg"
+MOST_IN_TABLE = 1000  # orientations: a million distances
 
 
 def run(problem: str, output: str | None, *, table: bool, as_json: bool) -> int:
@@ -27,6 +28,9 @@ def run(problem: str, output: str | None, *, table: bool, as_json: bool) -> int:
         )
     with show_progress() as report:
         layout = lay_out(problem, report)
+        if table and len(layout.orientations) > MOST_IN_TABLE:
+            count = len(layout.orientations)
+            raise InputError(f"--table: {count} orientations; at most {MOST_IN_TABLE} fit in a table")
         layout = replace(layout, tour=sharpen(layout.tour, layout.orientations, report))
     found = _summary(layout)
     _print(layout, found)

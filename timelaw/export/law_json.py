@@ -7,6 +7,7 @@ from typing import Any
 
 from timelaw import __version__
 from timelaw.certificate import Certificate
+from timelaw.files import replace_unbounded
 from timelaw.law_file.document import to_document
 from timelaw.motion import QuaternionLaw
 
@@ -14,15 +15,18 @@ SOLVER_PACKAGES = ("casadi", "numpy")
 
 
 def format_law(law: QuaternionLaw, certificate: Certificate, provenance: dict[str, Any]) -> str:
-    """The text of the law file. Python writes each double with the digits that read back bit for bit."""
+    """The text of the law file. Python writes each double with the digits that read back bit for bit.
+
+    In what is said of the motion null stands for a number that is not finite; the motion itself has none.
+    """
     motion = to_document(law)
-    document = {
+    document: dict[str, Any] = {
         **{k: motion[k] for k in ("format", "version", "name")},
         "timelaw": __version__,
         **{k: v for k, v in motion.items() if k not in ("format", "version", "name")},
-        "nodes": [node.to_dict() for node in certificate.continuity.nodes],
-        "certificate": certificate.to_dict(),
-        "provenance": {**provenance, **list_versions()},
+        "nodes": replace_unbounded([node.to_dict() for node in certificate.continuity.nodes]),
+        "certificate": replace_unbounded(certificate.to_dict()),
+        "provenance": replace_unbounded({**provenance, **list_versions()}),
     }
     return _layout(document) + "\n"
 

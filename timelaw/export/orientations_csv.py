@@ -9,10 +9,20 @@ from timelaw.tours import Tour
 def format_orientations(points: OrientationSet, tour: Tour) -> str:
     """The orientations in the order of the tour, as a table that `tour: given` visits as it stands.
 
-    The first of a closed tour is not repeated: `closed: true` returns to it.
+    The first of a closed tour is not repeated: `closed: true` returns to it. A second visit to "a" has
+    the label "a (2)".
     """
     rows: list[list[Any]] = [["label", "w", "x", "y", "z"]]
-    rows += [[points.labels[i], *(repr(float(c)) for c in points.quaternions[i])] for i in tour.order]
+    taken = set(points.labels)
+    visited: set[int] = set()
+    for i in tour.order:
+        label, visit = points.labels[i], 1
+        while i in visited and label in taken:
+            visit += 1
+            label = f"{points.labels[i]} ({visit})"
+        visited.add(i)
+        taken.add(label)
+        rows.append([label, *(repr(float(c)) for c in points.quaternions[i])])
     return "\n".join(",".join(map(_quoted, row)) for row in rows) + "\n"
 
 

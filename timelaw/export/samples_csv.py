@@ -1,7 +1,7 @@
 """`samples.csv`: the motion on an even grid of times, for anything that reads a table."""
 
 import io
-from math import floor
+from math import ceil, floor, log10
 
 import numpy as np
 
@@ -17,27 +17,43 @@ HEADER = """\
 # at a node: the values just after it
 """
 MAX_ROWS = 2_000_000
+NEAR_END = 1e-6  # of a step: a row that close to the last instant is that instant, but for rounding
 
 
 def format_samples(law: QuaternionLaw, rate: float) -> str:
-    """The text of the table at `rate` [1/s].
+    """The text of the table at `rate` [1/s]: the even grid, whose last row is the last instant.
 
     Raises:
         InputError: the table would have more than two million rows.
     """
-    count = floor(law.duration * rate) + 1
-    if count > MAX_ROWS:
-        message = f"{count} rows in {law.duration:.6g} s; at most {MAX_ROWS} are written, choose a lower rate"
-        raise InputError(Fault(message, "output.rate"))
-    times = np.arange(count) / rate
-    if times[-1] < law.duration:
-        times = np.append(times, law.duration)
-    times[-1] = min(times[-1], law.duration)
+    refuse_too_many_rows(law.duration, rate)
+    times = np.append(np.arange(count_rows(law.duration, rate) - 1) / rate, law.duration)
     table = np.column_stack([times, *(law(times, order) for order in range(4))]) + 0.0
     text = io.StringIO()
     text.write(HEADER.format(name=law.name, step=f"{1 / rate:.9g}"))
     np.savetxt(text, table, fmt="%.15g", delimiter=",", header=COLUMNS, comments="")
     return text.getvalue()
+
+
+def count_rows(duration: float, rate: float) -> int:
+    """How many rows a motion of `duration` [s] has: those of the grid before its end, and the end."""
+    return max(ceil(duration * rate - NEAR_END), 1) + 1
+
+
+def refuse_too_many_rows(duration: float, rate: float, words: str = "") -> None:
+    """Say what rate is possible for a motion of `duration` [s]; `words` is "at least" if it may be longer.
+
+    Raises:
+        InputError: the table would have more than two million rows.
+    """
+    count = count_rows(duration, rate)
+    if count > MAX_ROWS:
+        rows = f"{words} {count} rows in {duration:.6g} s".strip()
+        possible = MAX_ROWS / duration
+        step = 10.0 ** (floor(log10(possible)) - 2)
+        below = f"{floor(possible / step) * step:.6g} Hz"
+        message = f"{rows}; at most {MAX_ROWS} are written, choose a lower rate, below {below}"
+        raise InputError(Fault(message, "output.rate"))
 
 
 CSV = Exporter("samples.csv", format_samples, usual=True)

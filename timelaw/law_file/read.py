@@ -1,6 +1,7 @@
 """Read a law file: JSON, version 2, as plain data and as the motion it defines."""
 
 import json
+import re
 from math import isfinite
 from pathlib import Path
 from typing import Any
@@ -11,6 +12,11 @@ from timelaw.law_file.document import from_document
 from timelaw.motion import QuaternionLaw
 
 MAX_BYTES = 500_000_000
+OTHER_KINDS = {  # by a key that starts them: what it is, and what to do with it
+    "timelaw-study": "this is a study file, not a law file; use it with: timelaw sweep {path}",
+    "timelaw": "this is a problem file, not a law file; run timelaw design {path} first, and verify the "
+    "law.json that it writes",
+}
 
 
 def read_law(path: Path) -> tuple[QuaternionLaw, dict[str, Any]]:
@@ -29,6 +35,7 @@ def read_law(path: Path) -> tuple[QuaternionLaw, dict[str, Any]]:
             object_pairs_hook=_once,
         )
     except json.JSONDecodeError as error:
+        _refuse_other_kinds(text, path)
         raise InputError(
             Fault(f"not readable as JSON: {error.msg}", "", str(path), error.lineno, error.colno)
         ) from None
@@ -37,7 +44,16 @@ def read_law(path: Path) -> tuple[QuaternionLaw, dict[str, Any]]:
         raise InputError(Fault(f"not readable as JSON: {what}", "", str(path))) from None
     if not isinstance(document, dict):
         raise InputError(Fault("not a law file: its content is not an object", "", str(path)))
+    if "format" not in document:  # JSON is YAML too
+        _refuse_other_kinds("\n".join(f"{key}:" for key in document), path)
     return from_document(document, str(path)), document
+
+
+def _refuse_other_kinds(text: str, path: Path) -> None:
+    """Say in one sentence that a file is of another kind, where its keys show it."""
+    for key, message in OTHER_KINDS.items():
+        if re.search(rf"^{key}\s*:", text, re.MULTILINE):
+            raise InputError(Fault(message.format(path=path), "", str(path)))
 
 
 def _number(text: str) -> float:

@@ -3,43 +3,57 @@
 Bunge's φ1, Φ, φ2 turn the specimen's axes into the crystal's about z, x', z'': with the crystal as
 the body and the specimen as the world, R = Rz(φ1) Rx(Φ) Rz(φ2), intrinsic ZXZ. (As a passive
 matrix, specimen to crystal, texture books print its transpose.) Points that were not indexed carry
-no orientation and are left out.
+no orientation and are left out; the others keep the number of their row as their label.
 """
 
 from collections.abc import Callable, Iterator
+from io import StringIO
+from math import pi
 from pathlib import Path
 
 from timelaw.files import read_text
 from timelaw.numerics.array import Array
-from timelaw.orientations.forms import Writing, make_quaternions
-from timelaw.orientations.table import make_fault, read_number
+from timelaw.orientations.forms import Writing, find_fault, make_quaternions
+from timelaw.orientations.rows import EMPTY_ROW, MAX_BYTES, make_fault, read_number
 
 Point = tuple[int, list[float], bool]  # line, three angles, whether the point was indexed
 
 ANG_CONFIDENCE = 6  # column of the confidence index, counted from 0; -1 where nothing was indexed
 CTF_COLUMNS = ("phase", "euler1", "euler2", "euler3")
+NO_ANGLES = {"rad": 4 * pi, "deg": 720.0}  # all three angles are that in a point that was not indexed
+TYPED = 1e-4  # relative: 12.566 is 4π too
 
 
-def read_angles(path: Path) -> tuple[Array, int]:
-    """Unit quaternions (N, 4), crystal to specimen, and how many points were left out as not indexed.
+def read_angles(path: Path, unit: str | None = None) -> tuple[Array, tuple[str, ...], int]:
+    """Unit quaternions (N, 4), crystal to specimen, their labels, and how many points were left out.
+
+    A label is the number of the point among the file's points, those that were not indexed included.
+    `unit` is that of the file's kind unless given.
 
     Raises:
         InputError: with file, line and what is needed.
     """
-    points, unit = READERS[path.suffix.lower()]
-    found = list(points(path))
-    kept = [angles for _, angles, indexed in found if indexed]
+    points, usual = READERS[path.suffix.lower()]
+    writing = Writing("euler", "ZXZ", unit or usual)
+    kept, labels, found = [], [], 0
+    for line, angles, indexed in points(path):
+        found += 1
+        if not indexed or all(abs(a / NO_ANGLES[writing.unit] - 1) <= TYPED for a in angles):
+            continue
+        wrong = find_fault(angles, writing)
+        if wrong:
+            raise make_fault(wrong, path, line)
+        kept.append(angles)
+        labels.append(str(found))
     if len(kept) < 2:
         raise make_fault(f"{len(kept)} indexed points; at least two are needed", path)
-    return make_quaternions(kept, Writing("euler", "ZXZ", unit)), len(found) - len(kept)
+    return make_quaternions(kept, writing), tuple(labels), found - len(kept)
 
 
 def _ang(path: Path) -> Iterator[Point]:
     """φ1 Φ φ2 [rad] x y IQ CI …, comments start with #."""
-    for line, text in enumerate(read_text(path).splitlines(), 1):
-        cells = text.split()
-        if not cells or cells[0].startswith("#"):
-            continue
+    lines = [(line, text) for line, text in _lines(path) if not text.lstrip().startswith("#")]
+    for line, cells in _rows(lines, path):
         if len(cells) < 3:
             raise make_fault(f"{len(cells)} values; phi1, Phi, phi2 are needed", path, line)
         confidence = read_number(cells[ANG_CONFIDENCE], path, line) if len(cells) > ANG_CONFIDENCE else 0.0
@@ -48,23 +62,45 @@ def _ang(path: Path) -> Iterator[Point]:
 
 def _ctf(path: Path) -> Iterator[Point]:
     """A header, then a table with the columns Phase, Euler1, Euler2, Euler3 [deg] among others."""
-    lines = read_text(path).splitlines()
-    names = [[cell.strip().lower() for cell in text.split("\t")] for text in lines]
-    start = next((i for i, row in enumerate(names) if all(c in row for c in CTF_COLUMNS)), None)
-    if start is None:
+    lines = _lines(path)
+    header = next((i for i, (_, text) in enumerate(lines) if set(CTF_COLUMNS) <= set(_names(text))), None)
+    if header is None:
         raise make_fault("no line names the columns Phase, Euler1, Euler2, Euler3", path)
-    phase, *angles = (names[start].index(c) for c in CTF_COLUMNS)
-    for line, text in enumerate(lines[start + 1 :], start + 2):
-        cells = text.split("\t") if "\t" in text else text.split()
-        if not text.strip():
-            continue
-        if len(cells) <= max(phase, *angles):
-            raise make_fault(f"{len(cells)} values; {max(phase, *angles) + 1} are needed", path, line)
+    names = _names(lines[header][1])
+    phase, *angles = (names.index(c) for c in CTF_COLUMNS)
+    for line, cells in _rows(lines[header + 1 :], path):
+        if len(cells) != len(names):
+            raise make_fault(f"{len(cells)} values; {len(names)} are needed", path, line)
         yield (
             line,
             [read_number(cells[i], path, line) for i in angles],
             read_number(cells[phase], path, line) != 0,
         )
+
+
+def _lines(path: Path) -> list[tuple[int, str]]:
+    """All lines with their numbers."""
+    return list(enumerate(StringIO(read_text(path, MAX_BYTES), newline=None).read().split("\n"), 1))
+
+
+def _names(text: str) -> list[str]:
+    return [cell.strip().lower() for cell in text.rstrip().split("\t")]
+
+
+def _rows(lines: list[tuple[int, str]], path: Path) -> Iterator[tuple[int, list[str]]]:
+    """Rows of cells, each with as many as the first, none of them empty: they are numbered."""
+    blank, width = 0, 0
+    for line, text in lines:
+        cells = text.rstrip().split("\t") if "\t" in text.strip() else text.split()
+        if not cells:
+            blank = blank or (line if text and width else 0)
+            continue
+        if blank:
+            raise make_fault(EMPTY_ROW, path, blank)
+        width = width or len(cells)
+        if len(cells) != width:
+            raise make_fault(f"{len(cells)} values; {width} are needed", path, line)
+        yield line, cells
 
 
 READERS: dict[str, tuple[Callable[[Path], Iterator[Point]], str]] = {

@@ -5,6 +5,7 @@ All describe the body's attitude, body to world: r_world = R r_body. SciPy's rot
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from math import pi
 
 import numpy as np
 
@@ -12,6 +13,10 @@ from timelaw.numerics.array import Array
 from timelaw.problem.fields import NORM_TOLERANCE
 
 MATRIX_COLUMNS = tuple(f"r{i}{j}" for i in "123" for j in "123")
+ANGLES = ("rotation-vector", "euler")  # forms whose numbers have a unit
+MOST_RADIANS = 4 * pi + 1e-3  # two turns, as typed; larger numbers are degrees that are called radians
+HOMOGENEOUS = (12, 16)  # numbers of a matrix that holds a translation too
+UPPER_LEFT = "of a homogeneous matrix the upper left 3x3 is needed"
 
 
 @dataclass(frozen=True)
@@ -45,13 +50,19 @@ class Form:
 def find_fault(row: Sequence[float], writing: Writing) -> str:
     """What is wrong with one row of numbers; empty if nothing is."""
     form = FORMS[writing.form]
-    return form.check(np.array(row)) if len(row) == form.width else f"expected {form.name}"
+    if len(row) != form.width:
+        hint = f"; {UPPER_LEFT}" if form.width == 9 and len(row) in HOMOGENEOUS else ""
+        return f"expected {form.name}{hint}"
+    largest = max(row, key=abs)
+    if writing.form in ANGLES and writing.unit == "rad" and abs(largest) > MOST_RADIANS:
+        return f"{largest:g} rad is more than two turns; in degrees? unit: deg"
+    return form.check(np.array(row))
 
 
 def make_quaternions(rows: Sequence[Sequence[float]], writing: Writing) -> Array:
     """Unit quaternions (N, 4) of rows that have no fault."""
     form, table = FORMS[writing.form], np.array(rows, dtype=float)
-    if writing.unit == "deg" and writing.form in ("rotation-vector", "euler"):
+    if writing.unit == "deg" and writing.form in ANGLES:
         table = np.radians(table)
     found = form.convert(table, writing.sequence)
     return np.asarray(found / np.linalg.norm(found, axis=1, keepdims=True))

@@ -23,7 +23,8 @@ class OrientationSet:
     """Unit quaternions (N, 4), copied and read-only, with one label each.
 
     `lattice` names the polytope whose vertices they are, turned or not, if any.
-    `same` pairs labels of orientations that are one up to sign; `notes` say what was left out or merged.
+    `same` pairs labels of orientations that are one up to sign, `merged` those of which the second is left
+    out for the first; `notes` say what was left out or merged.
     """
 
     quaternions: Array
@@ -31,6 +32,7 @@ class OrientationSet:
     source: str
     lattice: str | None = None
     same: tuple[tuple[str, str], ...] = ()
+    merged: tuple[tuple[str, str], ...] = ()
     notes: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
@@ -86,9 +88,9 @@ def _from_file(spec: Orientations, path: Path, writing: Writing | None) -> Orien
         if spec.columns is not None:
             message = f'{path.suffix} files have their own columns; give "as" too, or leave "columns" away'
             raise InputError(Fault(message, "route.orientations.columns"))
-        points, left_out = read_angles(path)
+        points, numbers, left_out = read_angles(path, spec.unit)
         notes = (f"{left_out} points of {source} were not indexed and are left out",) if left_out else ()
-        return OrientationSet(points, _numbers(len(points)), source, notes=notes)
+        return OrientationSet(points, numbers, source, notes=notes)
     points, labels = read_table(path, writing, spec.columns)
     return OrientationSet(points, labels or _numbers(len(points)), source)
 
@@ -114,7 +116,9 @@ def _merged(found: OrientationSet, spec: Orientations) -> OrientationSet:
     note = f"{len(pairs)} of {len(first)} orientations are merged{under}: {listing}"
     labels = tuple(found.labels[i] for i in kept)
     points = found.quaternions[kept]
-    return replace(found, quaternions=points, labels=labels, lattice=None, notes=(*found.notes, note))
+    return replace(
+        found, quaternions=points, labels=labels, lattice=None, merged=pairs, notes=(*found.notes, note)
+    )
 
 
 def _numbers(count: int) -> tuple[str, ...]:

@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from difflib import get_close_matches
+from math import isfinite
 from typing import Any
 
 from pydantic import BaseModel, ConfigDict
@@ -26,8 +27,8 @@ def fault(message: str, *where: str) -> PydanticCustomError:
 
 def quote(value: Any) -> str:
     """A value as a message shows it."""
-    if isinstance(value, bool):
-        return str(value).lower()
+    if isinstance(value, bool) or value is None:
+        return {None: "null", True: "true", False: "false"}[value]
     return f'"{value}"' if isinstance(value, str) else f"{value}"
 
 
@@ -114,14 +115,30 @@ def one_of(registry: Iterable[str]) -> Choice:
     return Choice(tuple(registry))
 
 
+FREE = ("null", "none", "nan", "inf", "infinity", "free", "unlimited", "~", "-", "")
+
+
+def _is_free(value: Any) -> bool:
+    """Whether a value says that there is no limit, with a unit or without."""
+    if value is None or (isinstance(value, float) and not isfinite(value)):
+        return True
+    word = value.strip().lstrip("+-.").split(maxsplit=1) if isinstance(value, str) else None
+    return word == [] or (word is not None and word[0].lower() in FREE)
+
+
 def bounds(kind: Kind) -> Reader:
     """For a field that holds a bound on a norm, or a list of three for the body axes."""
 
     def check(value: Any) -> Any:
         if not isinstance(value, list):
+            if _is_free(value):
+                raise fault(f"{quote(value)}; leave the key away where there is no limit")
             return read_quantity(value, kind)
         if len(value) != 3:
             raise fault(f"{len(value)} values; one for the norm or three for the body axes are needed")
+        for free in filter(_is_free, value):
+            large = f"1e6 {kind.example.split(maxsplit=1)[1]}"
+            raise fault(f'{quote(free)}; give an axis without a limit a large one, such as "{large}"')
         return tuple(read_quantity(v, kind) for v in value)
 
     return Reader(check, kind)
@@ -144,7 +161,7 @@ def tour_or_labels(names: tuple[str, ...]) -> Callable[[Any], Any]:
             raise fault("a tour needs at least two labels")
         for label in value:
             if isinstance(label, bool) or not isinstance(label, str | int):
-                raise fault(f"a label is a number or a text, not {label!r}")
+                raise fault(f"a label is a number or a text, not {label!r}; a text may need quotes")
         return tuple(str(label) for label in value)
 
     return check

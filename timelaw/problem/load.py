@@ -7,13 +7,16 @@ from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
 from timelaw.errors import Fault, InputError
-from timelaw.files import read_text
+from timelaw.files import read_start, read_text
 from timelaw.problem.fields import quote, suggest
 from timelaw.problem.problem import NAME, Problem
 from timelaw.problem.route import SEQUENCE
-from timelaw.problem.source import KeyPath, Source, read
+from timelaw.problem.source import PROBLEM, KeyPath, Source, read
 
 VERSION = 1
+LAW_MARK = b'"timelaw-law"'  # in the first line of a law file, and in no other
+LABELLED: tuple[KeyPath, ...] = (("route", "tour"), ("nodes", "at"))  # lists and mappings of labels
+LABELS: tuple[KeyPath, ...] = (("route", "start"), ("route", "end"))
 
 
 def load_problem(path: Path) -> tuple[Problem, Source]:
@@ -22,9 +25,22 @@ def load_problem(path: Path) -> tuple[Problem, Source]:
     Raises:
         InputError: with one fault per line, each with file:line:column.
     """
-    source = read(read_text(path), str(path))
-    refuse_other_kinds(source, "a problem file")
+    source = read_source(path, "a problem file")
     return check_problem(source), source
+
+
+def read_source(path: Path, wanted: str, kind: str = PROBLEM) -> Source:
+    """The source at `path` of one of `FILES`, the one that is wanted.
+
+    Raises:
+        InputError: it cannot be read, or is of another kind.
+    """
+    if LAW_MARK in read_start(path):  # which may be long, and takes YAML a while
+        message = _name_use("a law file", wanted, str(path))
+        raise InputError(Fault(message, "", str(path), 1, 1))
+    source = read(read_text(path), str(path), kind)
+    refuse_other_kinds(source, wanted)
+    return source
 
 
 FILES = {  # by what they are: the command that takes them
@@ -44,8 +60,11 @@ def refuse_other_kinds(source: Source, wanted: str) -> None:
     marks = (data.get("format") == "timelaw-law", "timelaw-study" in data, "timelaw" in data)
     kind = next((kind for kind, there in zip(FILES, marks, strict=True) if there), wanted)
     if kind != wanted:
-        message = f"this is {kind}, not {wanted}; use it with: {FILES[kind]} {source.path}"
-        raise InputError(source.fault((), message))
+        raise InputError(source.fault((), _name_use(kind, wanted, source.path)))
+
+
+def _name_use(kind: str, wanted: str, path: str) -> str:
+    return f"this is {kind}, not {wanted}; use it with: {FILES[kind]} {path}"
 
 
 def parse_problem(text: str, path: str = "<problem>") -> Problem:
@@ -63,10 +82,32 @@ def check_problem(source: Source) -> Problem:
     if "timelaw" in source.data and (version != VERSION or isinstance(version, bool)):
         message = f"{quote(version)}; this program reads problem files of version {VERSION}"
         raise InputError(source.fault(("timelaw",), message))
+    refuse_numbers_for_labels(source)
     try:
         return Problem.model_validate(source.data)
     except ValidationError as error:
         raise InputError(*translate(source, error, Problem)) from None
+
+
+def refuse_numbers_for_labels(source: Source) -> None:
+    """Say that a label such as 001 has to be quoted, which YAML reads as the number 1.
+
+    Raises:
+        InputError: labels that are whole numbers, written in another way than numbers are.
+    """
+    faults = []
+    for where, text in source.numbers.items():
+        if where[:-1] in LABELLED or where in LABELS:
+            hint = f'write "{text}" if that is the label'
+            message = f"{text} without quotes is the number {int(text.replace('_', ''), _base(text))}; {hint}"
+            faults.append(source.fault(where, message, at_key=where[:-1] == ("nodes", "at")))
+    if faults:
+        raise InputError(*faults)
+
+
+def _base(text: str) -> int:
+    """Of a whole number in YAML 1.2."""
+    return {"0o": 8, "0x": 16, "0b": 2}.get(text.lstrip("+-")[:2].lower(), 10)
 
 
 def translate(source: Source, error: ValidationError, model: type[BaseModel]) -> list[Fault]:

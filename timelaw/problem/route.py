@@ -1,12 +1,13 @@
 """The part of a problem file about the route: which orientations, in which order."""
 
-from math import hypot, isfinite
+from math import hypot
+from pathlib import PurePath
 from typing import Annotated, Any, Literal, Self, get_args
 
 from pydantic import BeforeValidator, Field, model_validator
 
 from timelaw.numerics.turn import SAME_ORIENTATION
-from timelaw.problem.fields import NORM_TOLERANCE, Model, as_tuple, fault, quantity, tour_or_labels
+from timelaw.problem.fields import NORM_TOLERANCE, Model, as_tuple, fault, quantity, quote, tour_or_labels
 from timelaw.units import ANGLE, MOST
 
 LatticeName = Literal["16-cell", "tesseract", "24-cell", "600-cell", "120-cell"]
@@ -18,6 +19,7 @@ LEAST_FILL, LARGEST_FILL = 1e-3, 3.2  # rad; half a turn is as far as orientatio
 SEQUENCE = r"^([XYZ]{3}|[xyz]{3})$"
 NEEDS = {"rotation-vector": ("unit",), "euler": ("sequence", "unit")}
 CUSTOM = ("form", "sequence", "unit", "columns")
+ANGLE_FILES = (".ang", ".ctf")  # have a form of their own, whose unit may be given
 ALIASES = {"form": "as"}
 
 
@@ -29,12 +31,13 @@ class Uniform(Model):
 
 def _numbers(value: Any) -> Any:
     """A row of numbers, or a matrix as three rows."""
-    if _is_matrix(value) and any(len(row) != 3 for row in value):
-        raise fault("a matrix has three rows of three numbers")
+    if _is_matrix(value) and [len(row) for row in value] != [3, 3, 3]:
+        whole = len(value) in (3, 4) and all(len(row) == 4 for row in value)
+        hint = "; of a homogeneous one the upper left 3x3 is needed" if whole else ""
+        raise fault(f"a matrix has three rows of three numbers{hint}")
     flat = [v for row in value for v in row] if _is_matrix(value) else value
     good = isinstance(flat, list) and all(
-        isinstance(v, int | float) and not isinstance(v, bool) and isfinite(v) and abs(v) <= MOST
-        for v in flat
+        isinstance(v, int | float) and not isinstance(v, bool) and abs(v) <= MOST for v in flat
     )
     if not good:
         raise fault("expected a list of numbers, as in [1, 0, 0, 0]")
@@ -42,7 +45,7 @@ def _numbers(value: Any) -> Any:
 
 
 def _is_matrix(value: Any) -> bool:
-    return isinstance(value, list) and len(value) == 3 and all(isinstance(v, list) for v in value)
+    return isinstance(value, list) and bool(value) and all(isinstance(v, list) for v in value)
 
 
 Numbers = Annotated[tuple[float, ...], BeforeValidator(_numbers)]
@@ -79,7 +82,9 @@ class Orientations(Model):
     form: Annotated[FormName | None, Field(alias="as")] = None
     sequence: Annotated[str | None, Field(pattern=SEQUENCE)] = None
     unit: Literal["deg", "rad"] | None = None
-    columns: Annotated[tuple[str, ...] | None, BeforeValidator(as_tuple)] = None
+    columns: Annotated[
+        tuple[str, ...] | tuple[int, ...] | None, BeforeValidator(lambda value: _columns(value))
+    ] = None
     turned: Turned | None = None
     symmetry: Annotated[str | None, BeforeValidator(lambda value: _class(value))] = None
     duplicates: Literal["merge"] | None = None
@@ -97,7 +102,10 @@ class Orientations(Model):
     @model_validator(mode="after")
     def _columns_differ(self) -> Self:
         if self.columns is not None and not 0 < len(set(self.columns)) == len(self.columns):
-            raise fault("as many different names as the form has numbers are needed", "columns")
+            what = "names" if isinstance((*self.columns, "")[0], str) else "columns"
+            raise fault(f"as many different {what} as the form has numbers are needed", "columns")
+        if self.columns and isinstance(self.columns[0], int) and self.form is None:
+            raise fault('numbers of columns do not say what is in them; give "as" too', "columns")
         return self
 
     @model_validator(mode="after")
@@ -111,6 +119,8 @@ class Orientations(Model):
                 raise fault(f"it describes what a {owners} holds", ALIASES.get(key, key))
         for key in ("unit", "sequence"):
             needed = key in NEEDS.get(self.form or "", ())
+            if key == "unit" and self.form is None and self._is_angle_file():
+                continue
             if needed and getattr(self, key) is None:
                 raise fault(f'"as: {self.form}" needs "{key}"', "as")
             if not needed and getattr(self, key) is not None:
@@ -121,6 +131,9 @@ class Orientations(Model):
         ):
             raise fault(f'"{self.sequence}"; two turns in a row about one axis are one turn', "sequence")
         return self
+
+    def _is_angle_file(self) -> bool:
+        return self.file is not None and PurePath(self.file).suffix.lower() in ANGLE_FILES
 
 
 class RouteModel(Model):
@@ -149,6 +162,18 @@ class RouteModel(Model):
         return self
 
 
+def _columns(value: Any) -> Any:
+    """Names of columns, or their numbers counted from 1."""
+    if not isinstance(value, list):
+        return value
+    if all(isinstance(v, int) and not isinstance(v, bool) for v in value):
+        if value and not 1 <= min(value) <= max(value) <= MOST:
+            raise fault(f"{quote(value)}; columns are counted from 1")
+    elif not all(isinstance(v, str) for v in value):
+        raise fault("names of columns, or their numbers counted from 1, are needed")
+    return tuple(value)
+
+
 def _class(value: Any) -> Any:
     """A crystal class, which YAML may take for a number, as in 432."""
     return str(value) if isinstance(value, int) and not isinstance(value, bool) else value
@@ -156,5 +181,5 @@ def _class(value: Any) -> Any:
 
 def _label(value: Any) -> str:
     if isinstance(value, bool) or not isinstance(value, str | int):
-        raise fault(f"a label is a number or a text, not {value!r}")
+        raise fault(f"a label is a number or a text, not {value!r}; a text may need quotes")
     return str(value)

@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from copy import deepcopy
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from ruamel.yaml import YAML
@@ -17,19 +17,27 @@ from timelaw.errors import Fault, InputError, TimelawError
 KeyPath = tuple[str | int, ...]
 Place = tuple[int, int]
 
+WHOLE = "tag:yaml.org,2002:int"
+_PLAIN = re.compile(r"-?(0|[1-9]\d*)")
 _ITEM = re.compile(r"\[\d+\]$")
+MOST_DIGITS = 300  # of a whole number: beyond, no float holds it
 MOST_VALUES = 500_000  # a few bytes of aliases can stand for more than memory holds
 
 
 @dataclass(frozen=True)
 class Source:
-    """Plain data of one document and where each part stands (line, column, both from 1)."""
+    """Plain data of one document and where each part stands (line, column, both from 1).
+
+    `numbers` are the values and keys that are whole numbers but not written as Python writes them, such
+    as 001, as they are written.
+    """
 
     data: Any
     text: str
     path: str
     keys: dict[KeyPath, tuple[int, int]]
     values: dict[KeyPath, tuple[int, int]]
+    numbers: dict[KeyPath, str] = field(default_factory=dict)
 
     def fault(self, where: KeyPath, message: str, *, at_key: bool = False) -> Fault:
         """A fault at the key or the value of `where`, or at what encloses it if it is absent."""
@@ -99,9 +107,10 @@ def _path(text: str) -> KeyPath:
     return tuple(parts)
 
 
-def read(
-    text: str, path: str, kind: str = 'problem file is a mapping that starts with "timelaw: 1"'
-) -> Source:
+PROBLEM = 'problem file is a mapping that starts with "timelaw: 1"'
+
+
+def read(text: str, path: str, kind: str = PROBLEM) -> Source:
     """Parse one YAML 1.2 document.
 
     Raises:
@@ -111,8 +120,9 @@ def read(
     try:
         node = yaml.compose(text)
         _refuse_cycles(node, (), set())
-        keys, values = _places(node, path)
+        keys, values, numbers = _places(node, path)
         data = _with_text_keys(yaml.load(text))
+        huge = next((where for where, value in _list_values(data, ()) if _is_huge(value)), None)
     except MarkedYAMLError as error:
         what = " ".join(str(part) for part in (error.context, error.problem) if part)
         raise InputError(_marked(error, f"not readable as YAML: {what}", path)) from None
@@ -122,10 +132,13 @@ def read(
         # besides its own errors the parser lets those of Python out, for odd tags and keys
         what = (str(error).strip().splitlines() or [type(error).__name__])[0]
         raise InputError(Fault(f"not readable as YAML: {what}", "", path, 1, 1)) from None
+    if huge is not None:
+        message = f"a whole number of more than {MOST_DIGITS} digits; none here is that large"
+        raise InputError(Fault(message, write_path(huge), path, *values.get(huge, (1, 1))))
     if not isinstance(data, dict):
         given = "an empty file" if data is None else f"a {_name(data)}"
         raise InputError(Fault(f"{given}; a {kind}", "", path, 1, 1))
-    return Source(data, text, path, keys, values)
+    return Source(data, text, path, keys, values, numbers)
 
 
 def _marked(error: MarkedYAMLError, message: str, path: str) -> Fault:
@@ -140,6 +153,20 @@ def _with_text_keys(data: Any) -> Any:
     return [_with_text_keys(value) for value in data] if isinstance(data, list) else data
 
 
+def _list_values(data: Any, path: KeyPath) -> Iterator[tuple[KeyPath, Any]]:
+    """Every single value in plain data, and its path."""
+    parts = data.items() if isinstance(data, dict) else enumerate(data) if isinstance(data, list) else None
+    if parts is None:
+        yield path, data
+    for key, value in parts or ():
+        yield from _list_values(value, (*path, key))
+
+
+def _is_huge(value: Any) -> bool:
+    """A whole number that no float holds, on which arithmetic and text of Python fail."""
+    return isinstance(value, int) and abs(value) >= 10**MOST_DIGITS
+
+
 def _refuse_cycles(node: Node | None, ancestors: tuple[int, ...], done: set[int]) -> None:
     """An alias may repeat a part of the file, but not the part it stands in."""
     if node is not None and id(node) in ancestors:
@@ -152,21 +179,32 @@ def _refuse_cycles(node: Node | None, ancestors: tuple[int, ...], done: set[int]
     done.add(id(node))
 
 
-def _places(node: Node | None, path: str) -> tuple[dict[KeyPath, Place], dict[KeyPath, Place]]:
-    """Line and column of every key and of every value, both from 1."""
+def _places(
+    node: Node | None, path: str
+) -> tuple[dict[KeyPath, Place], dict[KeyPath, Place], dict[KeyPath, str]]:
+    """Line and column of every key and of every value, both from 1; numbers that are written oddly."""
+    numbers: dict[KeyPath, str] = {}
     keys: dict[KeyPath, Place] = {}
     values: dict[KeyPath, Place] = {}
     for where, key_node, value_node in _walk(node, ()) if node is not None else ():
         if len(values) == MOST_VALUES:
             raise ComposerError(None, None, f"more than {MOST_VALUES} values", value_node.start_mark)
         values[where] = (value_node.start_mark.line + 1, value_node.start_mark.column + 1)
+        odd = next((one for one in (key_node, value_node) if one is not None and _is_odd(one)), None)
+        if odd is not None:
+            numbers[where] = odd.value
         if key_node is None:
             continue
         place = (key_node.start_mark.line + 1, key_node.start_mark.column + 1)
         if where in keys and keys[where] != place:
             raise InputError(Fault(f'duplicate key "{where[-1]}"', "", path, *place))
         keys[where] = place
-    return keys, values
+    return keys, values, numbers
+
+
+def _is_odd(node: Node) -> bool:
+    """Whether it is a whole number that is not written as Python writes it."""
+    return node.tag == WHOLE and not _PLAIN.fullmatch(node.value)
 
 
 def _name(data: Any) -> str:

@@ -71,7 +71,7 @@ def resolve_requirements(problem: Problem, route: Route) -> Requirements:
     """
     given, body = problem.limits.given(), problem.rigid_body()
     rules, legs = _node_rules(problem, route), _leg_rules(problem, route)
-    own = _leg_limits(route, rules, legs)
+    own = _leg_limits(problem, route, rules, legs)
     base = make_limits(given, body)
     demands = []
     for index, leg in enumerate(route.legs):
@@ -117,47 +117,61 @@ def _check_profile(problem: Problem, route: Route, demands: Sequence[Demand]) ->
 
 
 def _node_rules(problem: Problem, route: Route) -> dict[int, NodeRule]:
-    """Rules by the index of the node on the route."""
-    labels = [node.label for node in route.nodes]
+    """Rules by the index of the node on the route; a rule holds at every visit to its node."""
+    labels = _list_visits(problem, route)
     rules = {}
     for label, rule in problem.nodes.at.items():
-        if label not in labels:
-            raise InputError(
-                Fault(f'the tour has no node "{label}"; it has {list_some(labels)}', f"nodes.at.{label}")
-            )
-        index = labels.index(label)
+        where = f"nodes.at.{label}"
+        visits = [i for i, there in enumerate(labels) if there == label]
+        if not visits:
+            message = f'the tour has no node "{label}"; it has {list_some(list(dict.fromkeys(labels)))}'
+            raise InputError(Fault(message, where))
+        if rule.time is not None and len(visits) > 1:
+            message = f'the tour visits "{label}" {len(visits)} times; it is not said which visit is meant'
+            raise InputError(Fault(message, f"{where}.time"))
         stop = rule.stop and problem.route.tour not in SEARCHED  # a searched tour may end where one is due
-        if index in (0, len(labels) - 1) and (stop or (rule.time is not None and index == 0)):
+        ends = (0, len(route.nodes) - 1)
+        if (stop and all(i in ends for i in visits)) or (rule.time is not None and visits[0] == 0):
             message = (
                 f'"{label}" is where the motion starts or ends; "stop" and a start time have no meaning there'
             )
-            raise InputError(Fault(message, f"nodes.at.{label}"))
-        rules[index] = rule
+            raise InputError(Fault(message, where))
+        rules.update(dict.fromkeys(visits, rule))
     return rules
 
 
+def _list_visits(problem: Problem, route: Route) -> list[str]:
+    """Labels of the nodes; the return of a closed tour to its first node is no second visit."""
+    labels = [node.label for node in route.nodes]
+    return labels[:-1] if problem.route.closed else labels
+
+
 def _leg_rules(problem: Problem, route: Route) -> dict[int, SegmentRule]:
-    """Rules by the index of the leg; a leg is written "from-to"."""
+    """Rules by the index of the leg; a leg is written "from-to", and a rule holds whenever it is gone."""
     names = [f"{leg.origin}-{leg.target}" for leg in route.legs]
     rules = {}
     for name, rule in problem.segments.items():
-        if name not in names:
-            raise InputError(
-                Fault(f'the tour has no leg "{name}"; it has {list_some(names)}', f"segments.{name}")
-            )
-        rules[names.index(name)] = rule
+        found = [i for i, there in enumerate(names) if there == name]
+        if not found:
+            listing = list_some(list(dict.fromkeys(names)))
+            raise InputError(Fault(f'the tour has no leg "{name}"; it has {listing}', f"segments.{name}"))
+        legs = {(route.legs[i].origin, route.legs[i].target) for i in found}
+        if len(legs) > 1:
+            ways = " or ".join(f'from "{origin}" to "{target}"' for origin, target in sorted(legs))
+            raise InputError(Fault(f'"{name}" may be {ways}; choose other labels', f"segments.{name}"))
+        rules.update(dict.fromkeys(found, rule))
     return rules
 
 
 def _leg_limits(
-    route: Route, rules: Mapping[int, NodeRule], legs: Mapping[int, SegmentRule]
+    problem: Problem, route: Route, rules: Mapping[int, NodeRule], legs: Mapping[int, SegmentRule]
 ) -> dict[int, dict[str, Bounds]]:
     """Limits of single legs: their own, and those of the nodes at both ends; the tightest of each counts."""
     given = [
         (i, f"segments.{route.legs[i].origin}-{route.legs[i].target}", rule.limits)
         for i, rule in legs.items()
     ]
-    closed = route.nodes[0].label == route.nodes[-1].label
+    closed = problem.route.closed
     for node, rule in rules.items():
         where = f"nodes.at.{route.nodes[node].label}"
         meet = (node - 1 if node or not closed else len(route.legs) - 1, node)
@@ -188,7 +202,7 @@ def _dwells(problem: Problem, route: Route, rules: Mapping[int, NodeRule]) -> tu
     """
     last = len(route.nodes) - 1
     moving = {0: problem.nodes.start, last: problem.nodes.end}
-    closed = route.nodes[0].label == route.nodes[-1].label
+    closed = problem.route.closed
     dwells = []
     for index, node in enumerate(route.nodes):
         general = 0.0 if moving.get(index) or (closed and index == last) else problem.nodes.dwell

@@ -103,7 +103,8 @@ def lay_route(points: OrientationSet, tour: Tour) -> Route:
     for k, turn in enumerate(turns):
         if turn.angle < SAME_ORIENTATION:
             message = f'"{labels[k]}" and "{labels[k + 1]}" follow each other and are the same orientation'
-            raise InputError(Fault(message, "route.tour"))
+            remedy = "leave one out, or add duplicates: merge to the orientations"
+            raise InputError(Fault(f"{message}; {remedy}", "route.tour"))
     axes = _settle_half_turns(turns)
     legs: list[Leg] = []
     start = visits[0]

@@ -12,14 +12,13 @@ import numpy as np
 from pydantic import BeforeValidator, Field, ValidationError
 
 from timelaw.errors import InputError
-from timelaw.files import read_text
 from timelaw.objectives import EFFORTS
 from timelaw.problem import Source
 from timelaw.problem.fields import Model, fault, one_of
-from timelaw.problem.load import refuse_other_kinds, translate
-from timelaw.problem.source import read
+from timelaw.problem.load import read_source, translate
 
 MOST_DESIGNS = 10_000
+LARGEST = 1e300  # differences of such numbers are finite
 STUDY = 'study file is a mapping that starts with "timelaw-study: 1"'
 WITH_UNIT = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*$")
 
@@ -36,8 +35,10 @@ def _values(value: Any) -> tuple[Any, ...]:
     ends = [WITH_UNIT.match(str(value[end])) for end in ("from", "to")]
     if ends[0] is None or ends[1] is None or ends[0].group(2) != ends[1].group(2):
         raise fault(f"from {value['from']} to {value['to']}; both need a number and the same unit")
-    unit = ends[0].group(2)
-    numbers = np.linspace(float(ends[0].group(1)), float(ends[1].group(1)), steps)
+    unit, first, last = ends[0].group(2), float(ends[0].group(1)), float(ends[1].group(1))
+    if not max(abs(first), abs(last)) <= LARGEST:
+        raise fault(f"from {value['from']} to {value['to']}; numbers up to {LARGEST:g} are allowed")
+    numbers = np.linspace(first, last, steps)
     if unit:
         return tuple(f"{number:.12g} {unit}" for number in numbers)
     return tuple(int(number) if float(number).is_integer() else float(number) for number in numbers)
@@ -81,15 +82,13 @@ def read_study(path: Path) -> Study:
     Raises:
         InputError: either file is wrong.
     """
-    source = read(read_text(path), str(path), STUDY)
-    refuse_other_kinds(source, "a study file")
+    source = read_source(path, "a study file", STUDY)
     try:
         model = StudyModel.model_validate(source.data)
     except ValidationError as error:
         raise InputError(*translate(source, error, StudyModel)) from None
     problem = path.parent / model.problem
-    base = read(read_text(problem), str(problem))
-    refuse_other_kinds(base, "a problem file")
+    base = read_source(problem, "a problem file")
     study = Study(model.name, problem, base, dict(model.vary), model.effort, source)
     for one in study.vary:
         inside = next((other for other in study.vary if other.startswith(f"{one}.")), None)

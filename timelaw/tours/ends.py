@@ -2,6 +2,9 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TypeVar
+
+Visit = TypeVar("Visit")
 
 
 @dataclass(frozen=True)
@@ -17,6 +20,6 @@ class Ends:
         return self.start in (None, order[0]) and self.end in (None, order[-1])
 
 
-def list_visits(order: Sequence[int], *, closed: bool) -> tuple[int, ...]:
+def list_visits(order: Sequence[Visit], *, closed: bool) -> tuple[Visit, ...]:
     """The visits of a tour, the first one again at the end of a closed one."""
     return (*order, order[0]) if closed else tuple(order)

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 import numpy as np
 
@@ -27,7 +28,7 @@ PAPER_TOUR = (1, 12, 11, 3, 8, 10, 2, 7, 9, 6, 5, 4)
 
 @dataclass(frozen=True)
 class Tour:
-    """Indices of the orientations in the order of visits, all N of them, each once.
+    """Indices of the orientations in the order of visits, all N of them, each once unless listed otherwise.
 
     A closed tour goes back to its first orientation; the return leg is not repeated in `order`.
     `length` is the sum of the body's rotation angles [rad], `minimal` the least angle between any
@@ -75,7 +76,7 @@ def find_tour(problem: Problem, points: OrientationSet, progress: Progress | Non
     spec = problem.route
     wanted = Wanted(problem, points, read_ends(spec, points), progress)
     if isinstance(spec.tour, tuple):
-        searched = Searched(_by_labels(spec.tour, points))
+        searched = Searched(_by_labels(spec.tour, points, closed=spec.closed))
     else:
         if spec.tour in SEARCHED:
             _refuse_what_cannot_be_searched(points)
@@ -112,8 +113,7 @@ def read_ends(spec: RouteModel, points: OrientationSet) -> Ends:
     found: dict[str, int | None] = {}
     for key, label in (("start", spec.start), ("end", spec.end)):
         if label is not None and label not in points.labels:
-            message = f'no orientation is called "{label}"; there are {list_some(points.labels)}'
-            raise InputError(Fault(message, f"route.{key}"))
+            raise InputError(Fault(_name_unknown(label, points), f"route.{key}"))
         found[key] = None if label is None else points.labels.index(label)
     return Ends(spec.closed, found["start"], found["end"])
 
@@ -125,9 +125,8 @@ def _refuse_what_cannot_be_searched(points: OrientationSet) -> None:
             Fault(f"some orientations are the same: {listing}; add duplicates: merge", "route.orientations")
         )
     if len(points) > MOST_ORIENTATIONS:
-        raise _fault(
-            f"a tour is searched for {MOST_ORIENTATIONS} orientations at most, not for {len(points)}"
-        )
+        most = f"a tour is searched for {MOST_ORIENTATIONS} orientations at most, not for {len(points)}"
+        raise _fault(f"{most}; merge them with a larger tolerance, or give the tour")
     if len(points) < 3:
         raise _fault("two orientations have one tour only; use given")
 
@@ -195,20 +194,30 @@ TOURS: dict[str, Callable[[Wanted], Searched]] = {
 }
 
 
-def _by_labels(labels: tuple[str, ...], points: OrientationSet) -> Order:
+def _by_labels(labels: tuple[str, ...], points: OrientationSet, *, closed: bool) -> Order:
+    """The order of a listed tour, in which an orientation may be visited more than once."""
     index = {label: i for i, label in enumerate(points.labels)}
-    unknown = [label for label in labels if label not in index]
-    if unknown:
-        raise _fault(f'no orientation is called "{unknown[0]}"; there are {list_some(points.labels)}')
-    repeated = [label for i, label in enumerate(labels) if label in labels[:i]]
-    if repeated:
-        raise _fault(
-            f'the tour visits "{repeated[0]}" more than once; set closed: true to return to the start'
-        )
-    missing = [label for label in points.labels if label not in labels]
+    unknown = next((label for label in labels if label not in index), None)
+    if unknown is not None:
+        raise _fault(_name_unknown(unknown, points))
+    visits = list_visits(labels, closed=closed)
+    twice = next((one for one, other in pairwise(visits) if one == other), None)
+    if twice is not None:
+        hint = "; with closed: true the first one is not repeated" if closed and twice == labels[-1] else ""
+        raise _fault(f'the tour visits "{twice}" twice in a row{hint}')
+    there = set(labels)
+    missing = [label for label in points.labels if label not in there]
     if missing:
         raise _fault(f"the tour leaves out {list_some(missing)}; every orientation must be visited")
     return tuple(index[label] for label in labels)
+
+
+def _name_unknown(label: str, points: OrientationSet) -> str:
+    """What is said of a label that no orientation has."""
+    merged = next((one for one, other in points.merged if other == label), None)
+    if merged is not None:
+        return f'"{label}" is the same orientation as "{merged}" and merged with it; say "{merged}"'
+    return f'no orientation is called "{label}"; there are {list_some(points.labels)}'
 
 
 def _fault(message: str) -> InputError:

@@ -4,7 +4,9 @@ import numpy as np
 
 from timelaw.numerics.array import Array
 from timelaw.numerics.quaternion import angle_between
+from timelaw.orientations.spread import measure_separation
 
+MANY = 5000  # orientations from which on nearest ones are looked up, not compared with all others
 BLOCK = 256  # rows of the distance matrix at a time: a few megabytes also for many orientations
 NEIGHBOUR_TOLERANCE = 1e-9  # rad; lattice distances agree to 1e-15, and differ by 0.1 and more otherwise
 
@@ -15,7 +17,13 @@ def measure_distances(quaternions: Array) -> Array:
 
 
 def find_minimal_distance(quaternions: Array) -> float:
-    """Least rotation angle [rad] between two different ones of the orientations (N, 4), block by block."""
+    """Least rotation angle [rad] between two of the orientations (N, 4), each with its own place in the set.
+
+    All are compared block by block; of many only the nearest ones.
+    """
+    if len(quaternions) > MANY:
+        alone = np.unique(quaternions, axis=0)
+        return measure_separation(alone) if len(alone) == len(quaternions) else 0.0
     least = np.inf
     for start in range(0, len(quaternions), BLOCK):
         rows = np.arange(start, min(start + BLOCK, len(quaternions)))
