@@ -10,7 +10,7 @@ from timelaw.units import LEAST, MOST
 SHORTEST, LONGEST = 1e-9, 1e12  # s; cubes and fourth powers of times stay far from overflow
 NARROWEST = 1e-12  # interval of an easing, angle of a leg
 WIDEST = 1e6  # control point of an easing, which runs from 0 to 1
-LARGEST_ANGLE = pi + 1e-6  # rad; a leg goes the shorter way round
+LARGEST_ANGLE = 2 * pi  # rad; half a turn, and more where it is one within the precision of its nodes
 
 Number = Annotated[float, Field(allow_inf_nan=False)]
 Control = Annotated[float, Field(ge=-WIDEST, le=WIDEST)]

@@ -9,7 +9,8 @@ from pathlib import Path
 from timelaw.errors import Fault, InputError
 from timelaw.files import read_text
 from timelaw.numerics.array import Array
-from timelaw.orientations.forms import FORMS, Writing, find_fault, make_quaternions
+from timelaw.orientations.forms import FORMS, Writing, find_fault, find_precision, make_quaternions
+from timelaw.orientations.precision import Precision
 from timelaw.units import MOST
 
 LABEL = "label"
@@ -21,8 +22,8 @@ Row = tuple[int, list[str]]
 
 def read_table(
     path: Path, writing: Writing | None = None, columns: Sequence[str] | None = None
-) -> tuple[Array, tuple[str, ...] | None]:
-    """Unit quaternions (N, 4), and labels if there is a column `label`, of a text table.
+) -> tuple[Array, tuple[str, ...] | None, Precision]:
+    """Unit quaternions (N, 4), labels if there is a column `label`, and the precision of a text table.
 
     Columns are found by name in any order, those of the form (w, x, y, z or qw, qx, qy, qz for
     quaternions) or the `columns` given; others are left alone. Where a form is given, a table
@@ -47,7 +48,8 @@ def read_table(
     table = [_numbers(row, places, path, line, writing or Writing()) for line, row in rows]
     if len(table) < 2:
         raise make_fault(f"{len(table)} orientations; at least two are needed", path)
-    return make_quaternions(table, writing or Writing()), labels
+    form_given = writing or Writing()
+    return make_quaternions(table, form_given), labels, find_precision(table, form_given)
 
 
 def _places(
