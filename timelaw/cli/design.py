@@ -13,6 +13,7 @@ from timelaw.files import write_file
 from timelaw.pipeline import Design, design
 from timelaw.report import LawRow, list_law_rows, render_report
 from timelaw.report.outcome import describe_outcome, measure_gain
+from timelaw.report.tour_text import describe_moves
 
 
 def run(problem: str, output: str | None, *, as_json: bool) -> int:
@@ -95,6 +96,8 @@ def _print(done: Design, rows: list[LawRow], folder: Path) -> None:
     for finding in done.optimised.certificate.findings():
         say(f"finding: {finding}")
     for sentence in describe_outcome(done, rows):
+        say(sentence)
+    for sentence in describe_moves(done.orientations, done.route):
         say(sentence)
     for status in sorted({s.status.value for s in done.solution.solutions}):
         say(f"{done.family.label}: {status}")

@@ -35,7 +35,8 @@ def find_turn(p: ArrayLike, q: ArrayLike, precision: float = 0.0) -> Turn:
     size = np.asarray(np.linalg.norm(vector, axis=-1 if vector.ndim > 1 else None))[..., None]
     axis = np.where(size > 0, vector / np.where(size > 0, size, 1.0), [1.0, 0.0, 0.0])
     angle = 2 * np.arctan2(size[..., 0], np.abs(d[..., 0]))
-    return Turn(axis * np.where(d[..., :1] >= 0, 1.0, -1.0), angle, np.abs(d[..., 0]) <= max(HALF_TURN, precision))
+    half = np.abs(d[..., 0]) <= max(HALF_TURN, precision)
+    return Turn(axis * np.where(d[..., :1] >= 0, 1.0, -1.0), angle, half)
 
 
 def choose_sense(axis: Array, precision: float = 0.0) -> Array:
@@ -54,7 +55,8 @@ def allow_turn(before: ArrayLike, after: ArrayLike, precision: float) -> Array:
     shares = np.sin(a) + np.sin(b) + np.abs(np.sin(a + b))
     with np.errstate(divide="ignore", invalid="ignore"):
         chord = np.sin(precision / 2) * shares / (np.sin(a) * np.sin(b))
-    return np.maximum(SAME_AXIS, np.minimum(np.nan_to_num(chord, nan=0.0, posinf=1.0), LARGEST_NONE))
+    allowed = np.minimum(np.nan_to_num(chord, nan=0.0, posinf=LARGEST_NONE), LARGEST_NONE)
+    return np.asarray(np.maximum(SAME_AXIS, allowed))
 
 
 def angle_between_axes(first: Array, second: Array) -> float:

@@ -46,21 +46,22 @@ class Redundancy:
 
 
 def _norm_misfit(rows: Array) -> Array:
-    return np.abs(np.sqrt(np.sum(rows**2, axis=1)) - 1)
+    return np.asarray(np.abs(np.sqrt(np.sum(rows**2, axis=1)) - 1))
 
 
 def _product_misfit(rows: Array) -> Array:
     """The largest entry of |RᵀR - 1|."""
     matrices = rows.reshape(-1, 3, 3)
-    return np.max(np.abs(np.swapaxes(matrices, 1, 2) @ matrices - np.eye(3)), axis=(1, 2))
+    products = np.swapaxes(matrices, 1, 2) @ matrices
+    return np.asarray(np.max(np.abs(products - np.eye(3)), axis=(1, 2)))
 
 
 QUATERNIONS = Redundancy(
     "quaternions",
     _norm_misfit,
     lambda rows, errors: np.sum(np.abs(rows) * errors, axis=1) + np.sum(errors**2, axis=1),
-    # |e| on S³ at most, half the body's turn
-    lambda errors: 2 * np.sqrt(np.sum(errors**2, axis=1)),
+    # half the body's turn is |e| at most on what is left of the norm
+    lambda errors: 2 * np.sqrt(np.sum(errors**2, axis=1)) / (1 - np.sqrt(np.sum(errors**2, axis=1))),
 )
 MATRICES = Redundancy(
     "matrices",

@@ -61,7 +61,7 @@ def fit_circle(points: Array, within: float) -> GreatCircle | None:
     most = np.sin(within / 2)
     weights = np.full(len(points), 1 / len(points))
     for _ in range(ROUNDS):
-        _, _, rows = np.linalg.svd(np.sqrt(weights)[:, None] * points, full_matrices=True)
+        _, _, rows = np.linalg.svd(np.sqrt(weights)[:, None] * points, full_matrices=False)
         circle = GreatCircle(rows[0], rows[1])
         far = circle.offsets(points)
         if np.max(far) <= most:

@@ -4,6 +4,7 @@ from collections import Counter
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from timelaw.numerics.array import Array
 from timelaw.numerics.quaternion import multiply
@@ -14,6 +15,8 @@ STEPS = 25  # of Gauss and Newton; from a fit within the precision four or five 
 ENOUGH = 1e-13  # a step below it leaves the next one, its square, below all rounding
 SOFT = 1e-13  # lets a condition that says nothing new do so; what it gives way is taken back by the next step
 UNITS = np.eye(4)[1:]
+
+Places = NDArray[np.intp]
 
 
 class JointFit:
@@ -127,17 +130,17 @@ class _System:
 
     def __init__(self, size: int) -> None:
         self._size = size
-        self._gram: list[tuple[Array, Array, Array]] = []
-        self._conditions: list[tuple[Array, Array]] = []
+        self._gram: list[tuple[Places, Places, Array]] = []
+        self._conditions: list[tuple[Places, Array]] = []
         self._right, self._asked = np.zeros(size), list[float]()
 
-    def add(self, at: Array, gram: Array, right: Array) -> None:
+    def add(self, at: Places, gram: Array, right: Array) -> None:
         """Add xᵀGx/2 - rᵀx in the unknowns `at` (m,)."""
         rows, columns = np.meshgrid(at, at, indexing="ij")
         self._gram.append((rows.ravel(), columns.ravel(), gram.ravel()))
         self._right[at] += right
 
-    def ask(self, at: Array, values: Array, right: float) -> None:
+    def ask(self, at: Places, values: Array, right: float) -> None:
         """Ask for values · x = right, in the unknowns `at` (m,)."""
         self._conditions.append((at, values))
         self._asked.append(right)
@@ -150,7 +153,9 @@ class _System:
         whole = self._size + len(self._conditions)
         diagonal = np.arange(whole)
         soft = np.where(diagonal < self._size, SOFT, -SOFT)
-        rows, columns, values = [diagonal], [diagonal], [soft]
+        rows: list[Places] = [diagonal]
+        columns: list[Places] = [diagonal]
+        values: list[Array] = [soft]
         for r, c, v in self._gram:
             rows += [r]
             columns += [c]
@@ -166,7 +171,7 @@ class _System:
 
 
 def _basis(places: Array, spread: float) -> Array:
-    """cos t and sin t / spread, (n, 2)."""
+    """Columns cos t and sin t / spread, (n, 2)."""
     return np.column_stack([np.cos(places), np.sin(places) / spread])
 
 

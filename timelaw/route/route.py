@@ -70,6 +70,11 @@ class Route:
         return tuple(runs)
 
     @property
+    def moved(self) -> dict[str, float]:
+        """Labels of the nodes that were moved, and how far [rad]."""
+        return {node.label: node.moved for node in self.nodes if node.moved > 0}
+
+    @property
     def straight_nodes(self) -> int:
         """How many nodes the body may pass at speed."""
         return sum(node.kind == "straight" for node in self.nodes)

@@ -19,7 +19,10 @@ ROOM = 1 + 1e-9  # relative; moves are compared with the precision as they are, 
 
 @dataclass(frozen=True)
 class Settled:
-    """Chains with their circles, the visits (n, 4) on them, and how far each was moved (n,) [rad]."""
+    """Chains with their circles, the visits (n, 4) on them, and how far each was moved (n,) [rad].
+
+    What is less than the rounding of doubles is no move.
+    """
 
     chains: tuple[Chain, ...]
     visits: Array
@@ -43,7 +46,7 @@ def settle_visits(points: Array, precision: float, *, closed: bool) -> Settled:
             if not _holds(circles, placed, points, members, precision):
                 moves = angle_between(points, placed)
                 inside = (i for m in members for i in range(m.first + 1, m.last))
-                corners.add(max(inside, key=lambda i: float(moves[i])))  # noqa: B023
+                corners.add(max(inside, key=lambda i: float(moves[i])))
                 break
             for k, member, circle in zip(group, members, circles, strict=True):
                 settled[k] = replace(member, circle=circle)
@@ -51,7 +54,8 @@ def settle_visits(points: Array, precision: float, *, closed: bool) -> Settled:
         else:
             if closed:
                 visits[[0, -1]] = visits[0] if np.any(visits[0] != points[0]) else visits[-1]
-            return Settled(tuple(settled), visits, angle_between(points, visits))
+            moves = angle_between(points, visits)
+            return Settled(tuple(settled), visits, np.where(moves > DOUBLES, moves, 0.0))
 
 
 def _list_groups(chains: Sequence[Chain], *, closed: bool) -> list[list[int]]:
@@ -85,7 +89,7 @@ def _fit(
 def _try_fits(
     points: Array, members: Sequence[Chain], circles: Sequence[GreatCircle], *, closed: bool
 ) -> Iterator[tuple[list[GreatCircle], Array]]:
-    """By least squares, first with the shared nodes left where they are; then with the largest moves made less."""
+    """Least squares, first with shared nodes left where they are, then with the largest moves made less."""
     fit = JointFit(points, members, closed=closed)
     weights = np.ones(len(points))
     yield fit.solve(circles, weights, free=False)
