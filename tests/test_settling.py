@@ -296,20 +296,24 @@ def test_nothing_is_told_where_nothing_moved(tmp_path):
     assert "moved" not in render_report(done, "sha256:0")["report.html"]
 
 
-def test_where_chains_together_ask_too_much_one_is_cut():
-    """Two bows of three nodes, each just within the precision by itself: sharing a node they are not."""
+@pytest.mark.parametrize(("room", "kinds"), [(1.05, 2), (1.2, 1)])
+def test_where_chains_together_ask_too_much_one_is_cut(room, kinds):
+    """Two bows of three nodes, each straight by itself within little more than the least: they share one.
+
+    With 1.05 times the least there is no place for it, and one bow is cut; with 1.2 times there is.
+    """
     start, x, y = np.eye(4)[0], np.array([1.0, 0, 0]), np.array([0, 1.0, 0])
-    bend = 0.02
     q = [start]
     for one, other in ((x, y), (y, x)):
         q += list(go_on(q[-1], one, [0.3]))
-        q += list(go_on(q[-1], one * np.cos(bend) + other * np.sin(bend), [0.3]))
+        q += list(go_on(q[-1], one * np.cos(0.02) + other * np.sin(0.02), [0.3]))
     q = np.array(q)
     least = max(_least(q[:3]), _least(q[2:]))
-    points = OrientationSet(q, tuple("abcde"), "list", precision=Precision(1.05 * least, "as given"))
+    points = OrientationSet(q, tuple("abcde"), "list", precision=Precision(room * least, "as given"))
     found = lay_route(points, Tour(tuple(range(5)), False, 0.0, 0.0, ()))
     check(points, found)
     assert 2 in corners(found)
+    assert len(corners(found)) == kinds
 
 
 def _least(q):

@@ -102,9 +102,10 @@ def describe_moves(points: OrientationSet, route: Route) -> list[str]:
     if not (moved := route.moved):
         return []
     farthest = max(moved, key=lambda label: moved[label])
+    verb = "is" if len(moved) == 1 else "are"
     each = list_some([f"{label} by {_small(angle)}" for label, angle in moved.items()])
     return [
-        f"{len(moved)} of {len(points)} nodes are moved onto great circles that they lie on within the "
+        f"{len(moved)} of {len(points)} nodes {verb} moved onto great circles that they lie on within the "
         f"precision of the input ({points.precision.origin}: {_small(points.precision.angle)}), so that the "
         f"body goes straight on, node {farthest} farthest, by {_small(moved[farthest])}: {each}"
     ]
