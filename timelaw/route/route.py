@@ -107,7 +107,9 @@ def lay_route(points: OrientationSet, tour: Tour) -> Route:
     for k, angle in enumerate(find_turn(visits[:-1], visits[1:]).angle):
         if angle < max(SAME_ORIENTATION, precision):
             message = f'"{labels[k]}" and "{labels[k + 1]}" follow each other and are the same orientation'
-            raise InputError(Fault(message, "route.tour"))
+            origin = f"{points.precision.origin}: {np.degrees(precision):.3g}°"
+            within = f" within their precision ({origin})" if precision > SAME_ORIENTATION else ""
+            raise InputError(Fault(f"{message}{within}", "route.tour"))
     settled = settle_visits(visits, precision, closed=tour.closed)
     legs = _lay_legs(labels, settled, precision)
     return Route(legs, _nodes(legs, settled))
