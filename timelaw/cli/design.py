@@ -14,6 +14,7 @@ from timelaw.files import remove_file, write_file
 from timelaw.pipeline import Design, Layout, design_layout, lay_out
 from timelaw.report import LawRow, list_law_rows, render_report
 from timelaw.report.outcome import describe_outcome, measure_gain
+from timelaw.report.tour_text import describe_moves
 from timelaw.requirements.route_limit import find_route_limit
 
 
@@ -129,6 +130,8 @@ def _print(done: Design, rows: list[LawRow], folder: Path) -> None:
     for finding in done.optimised.certificate.findings():
         say(f"finding: {finding}")
     for sentence in describe_outcome(done, rows):
+        say(sentence)
+    for sentence in describe_moves(done.orientations, done.route):
         say(sentence)
     for status in sorted({s.status.value for s in done.solution.solutions}):
         say(f"{done.family.label}: {status}")

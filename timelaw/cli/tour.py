@@ -40,7 +40,7 @@ def run(problem: str, output: str | None, *, table: bool, as_json: bool) -> int:
         from timelaw.report.figures.sphere import draw_traces
 
         path = Path(output)
-        write_text(path, format_orientations(layout.orientations, layout.tour))
+        write_text(path, format_orientations(layout.orientations, layout.tour, layout.route))
         write_text(path.with_suffix(PICTURE), draw_traces(layout.problem.name, layout.route))
         found["files"] = [str(path), str(path.with_suffix(PICTURE))]
         say(f"orientations in the tour's order: {path}; picture: {path.with_suffix(PICTURE)}")
@@ -70,7 +70,12 @@ def _summary(layout: Layout) -> dict[str, Any]:
         "is_shortest": layout.tour.is_shortest,
         "certificate": "; ".join(describe_merits(layout.tour)),
         "merits": [list_merit_data(merit) for merit in layout.tour.merits],
-        "notes": list_notes(layout.orientations),
+        "notes": list_notes(layout.orientations, route),
+        "precision": {
+            "angle": float(np.degrees(layout.orientations.precision.angle)),
+            "origin": layout.orientations.precision.origin,
+        },
+        "moved": {label: float(np.degrees(angle)) for label, angle in route.moved.items()},
         "time_over_runs": find_route_limit(route, requirements),
         "time_with_every_stop": find_route_limit(route, requirements, stop=True),
     }

@@ -11,7 +11,7 @@ SHORTEST, LONGEST = 1e-9, 1e12  # s; cubes and fourth powers of times stay far f
 BRIEFEST = 1e-30  # s; a piece of a segment, which may be as short as limits are apart
 NARROWEST = 1e-12  # rad; angle of a leg
 WIDEST = 1e30  # of a rate; squares of what follows from such numbers stay far from overflow
-LARGEST_ANGLE = pi + 1e-6  # rad; a leg goes the shorter way round
+LARGEST_ANGLE = 2 * pi  # rad; half a turn, and more where it is one within the precision of its nodes
 
 Number = Annotated[float, Field(allow_inf_nan=False)]
 Control = Annotated[float, Field(ge=-WIDEST, le=WIDEST)]

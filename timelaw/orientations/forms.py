@@ -10,6 +10,13 @@ from math import pi
 import numpy as np
 
 from timelaw.numerics.array import Array
+from timelaw.orientations.precision import (
+    MATRICES,
+    QUATERNIONS,
+    Precision,
+    measure_precision,
+    take_as_exact,
+)
 from timelaw.problem.fields import NORM_TOLERANCE
 
 MATRIX_COLUMNS = tuple(f"r{i}{j}" for i in "123" for j in "123")
@@ -33,13 +40,14 @@ class Form:
     """One form: how many numbers, what a row is called, names of its columns, and its conversion.
 
     `check` says what is wrong with a row of numbers (width,), or nothing; `convert` takes rows
-    (N, width), angles in rad, and Euler's sequence.
+    (N, width), angles in rad, and Euler's sequence; `measure` says how precise rows are.
     """
 
     name: str
     columns: tuple[tuple[str, ...], ...]
     check: Callable[[Array], str]
     convert: Callable[[Array, str], Array]
+    measure: Callable[[Array], Precision] = take_as_exact
 
     @property
     def width(self) -> int:
@@ -66,6 +74,11 @@ def make_quaternions(rows: Sequence[Sequence[float]], writing: Writing) -> Array
         table = np.radians(table)
     found = form.convert(table, writing.sequence)
     return np.asarray(found / np.linalg.norm(found, axis=1, keepdims=True))
+
+
+def find_precision(rows: Sequence[Sequence[float]], writing: Writing) -> Precision:
+    """How precisely rows that have no fault are written, as their numbers show."""
+    return FORMS[writing.form].measure(np.array(rows, dtype=float))
 
 
 def _of_norm_one(row: Array) -> str:
@@ -97,6 +110,14 @@ def _anything(_: Array) -> str:
     return ""
 
 
+def _measure_quaternions(rows: Array) -> Precision:
+    return measure_precision(rows, QUATERNIONS)
+
+
+def _measure_matrices(rows: Array) -> Precision:
+    return measure_precision(rows, MATRICES)
+
+
 def _from_vectors(rows: Array, _: str) -> Array:
     from scipy.spatial.transform import Rotation
 
@@ -121,12 +142,14 @@ FORMS: dict[str, Form] = {
         (("w", "x", "y", "z"), ("qw", "qx", "qy", "qz")),
         _unit_wxyz,
         lambda rows, _: rows,
+        _measure_quaternions,
     ),
     "xyzw": Form(
         "a quaternion of four numbers [x, y, z, w]",
         (("x", "y", "z", "w"), ("qx", "qy", "qz", "qw")),
         _unit_xyzw,
         lambda rows, _: rows[:, [3, 0, 1, 2]],
+        _measure_quaternions,
     ),
     "rotation-vector": Form(
         "a rotation vector of three numbers",
@@ -139,6 +162,7 @@ FORMS: dict[str, Form] = {
         (MATRIX_COLUMNS, tuple(name.replace("r", "m") for name in MATRIX_COLUMNS)),
         _proper,
         _from_matrices,
+        _measure_matrices,
     ),
     "euler": Form(
         "three Euler angles",

@@ -10,8 +10,9 @@ from timelaw.numerics.array import Array, freeze
 from timelaw.numerics.quaternion import multiply
 from timelaw.orientations.angle_files import READERS, read_angles
 from timelaw.orientations.equivalence import find_equivalents, make_rotation_group
-from timelaw.orientations.forms import Writing, find_fault, make_quaternions
+from timelaw.orientations.forms import Writing, find_fault, find_precision, make_quaternions
 from timelaw.orientations.lattices import make_lattice
+from timelaw.orientations.precision import EXACT, Precision
 from timelaw.orientations.spread import measure_covering_radius, measure_separation
 from timelaw.orientations.table import read_table
 from timelaw.orientations.uniform import make_uniform
@@ -24,7 +25,8 @@ class OrientationSet:
 
     `lattice` names the polytope whose vertices they are, turned or not, if any.
     `same` pairs labels of orientations that are one up to sign, `merged` those of which the second is left
-    out for the first; `notes` say what was left out or merged.
+    out for the first; `notes` say what was left out or merged; `precision` is how far each may be from what
+    was meant.
     """
 
     quaternions: Array
@@ -34,6 +36,7 @@ class OrientationSet:
     same: tuple[tuple[str, str], ...] = ()
     merged: tuple[tuple[str, str], ...] = ()
     notes: tuple[str, ...] = ()
+    precision: Precision = EXACT
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "quaternions", freeze(self.quaternions))
@@ -53,6 +56,8 @@ def read_orientations(spec: Orientations, folder: Path) -> OrientationSet:
         turned = multiply(multiply(spec.turned.world, found.quaternions), spec.turned.body)
         turned /= np.linalg.norm(turned, axis=1, keepdims=True)
         found = replace(found, quaternions=turned)
+    if spec.precision is not None:
+        found = replace(found, precision=Precision(spec.precision, "as given"))
     return _merged(found, spec)
 
 
@@ -78,7 +83,8 @@ def _read(spec: Orientations, folder: Path) -> OrientationSet:
         if wrong:
             raise InputError(Fault(wrong, f"route.orientations.list[{index + 1}]"))
     points = make_quaternions(rows, writing or Writing())
-    return OrientationSet(points, _numbers(len(points)), "list")
+    precision = find_precision(rows, writing or Writing())
+    return OrientationSet(points, _numbers(len(points)), "list", precision=precision)
 
 
 def _from_file(spec: Orientations, path: Path, writing: Writing | None) -> OrientationSet:
@@ -91,8 +97,8 @@ def _from_file(spec: Orientations, path: Path, writing: Writing | None) -> Orien
         points, numbers, left_out = read_angles(path, spec.unit)
         notes = (f"{left_out} points of {source} were not indexed and are left out",) if left_out else ()
         return OrientationSet(points, numbers, source, notes=notes)
-    points, labels = read_table(path, writing, spec.columns)
-    return OrientationSet(points, labels or _numbers(len(points)), source)
+    points, labels, precision = read_table(path, writing, spec.columns)
+    return OrientationSet(points, labels or _numbers(len(points)), source, precision=precision)
 
 
 def _merged(found: OrientationSet, spec: Orientations) -> OrientationSet:
@@ -100,7 +106,7 @@ def _merged(found: OrientationSet, spec: Orientations) -> OrientationSet:
     group = make_rotation_group(spec.symmetry) if spec.symmetry is not None else None
     if found.lattice is not None and group is None:
         return found  # vertices of a polytope are apart
-    first = find_equivalents(found.quaternions, spec.tolerance, group)
+    first = find_equivalents(found.quaternions, max(spec.tolerance, found.precision.angle), group)
     pairs = tuple((found.labels[j], found.labels[i]) for i, j in enumerate(first) if i != j)
     if not pairs:
         return found

@@ -4,7 +4,8 @@ from pathlib import Path
 
 from timelaw.numerics.array import Array
 from timelaw.orientations.columns import Columns, find_columns
-from timelaw.orientations.forms import FORMS, Writing, find_fault, make_quaternions
+from timelaw.orientations.forms import FORMS, Writing, find_fault, find_precision, make_quaternions
+from timelaw.orientations.precision import Precision
 from timelaw.orientations.rows import Row, make_fault, read_number, read_rows
 
 LABEL = "label"
@@ -12,8 +13,8 @@ LABEL = "label"
 
 def read_table(
     path: Path, writing: Writing | None = None, columns: Columns | None = None
-) -> tuple[Array, tuple[str, ...] | None]:
-    """Unit quaternions (N, 4), and labels if there is a column `label`, of a text table.
+) -> tuple[Array, tuple[str, ...] | None, Precision]:
+    """Unit quaternions (N, 4), labels if there is a column `label`, and the precision of a text table.
 
     Columns are found by name in any order, those of the form (w, x, y, z or qw, qx, qy, qz for
     quaternions), or the `columns` given, by name or counted from 1; others are left alone. Where a form
@@ -35,7 +36,8 @@ def read_table(
     table = [_numbers(row, places, path, line, writing or Writing()) for line, row in rows]
     if len(table) < 2:
         raise make_fault(f"{len(table)} orientations; at least two are needed", path)
-    return make_quaternions(table, writing or Writing()), labels
+    form_given = writing or Writing()
+    return make_quaternions(table, form_given), labels, find_precision(table, form_given)
 
 
 def _numbers(row: list[str], places: list[int], path: Path, line: int, writing: Writing) -> list[float]:

@@ -16,6 +16,7 @@ SEARCHED = ("shortest", "fewest-stops", "least-turning", "fastest")
 FormName = Literal["wxyz", "xyzw", "rotation-vector", "matrix", "euler"]
 SOURCES = ("lattice", "file", "list", "uniform")
 LEAST_FILL, LARGEST_FILL = 1e-3, 3.2  # rad; half a turn is as far as orientations get
+FINEST, COARSEST = 1e-14, 0.1  # rad; doubles resolve no less, and nobody measures as badly
 SEQUENCE = r"^([XYZ]{3}|[xyz]{3})$"
 NEEDS = {"rotation-vector": ("unit",), "euler": ("sequence", "unit")}
 CUSTOM = ("form", "sequence", "unit", "columns")
@@ -72,7 +73,8 @@ class Orientations(Model):
     `as` names how a file or list writes them, `unit` the unit of its angles, `sequence` the axes of
     Euler angles: capitals turn with the body, small letters about the fixed axes. `symmetry` is a
     crystal's rotation group, under which orientations count as the same; `duplicates: merge` keeps
-    the first of those that are the same within `tolerance`.
+    the first of those that are the same within `tolerance`. `precision` is the body's turn by which each may
+    differ from what was meant, where the digits do not tell.
     """
 
     lattice: LatticeName | None = None
@@ -89,6 +91,7 @@ class Orientations(Model):
     symmetry: Annotated[str | None, BeforeValidator(lambda value: _class(value))] = None
     duplicates: Literal["merge"] | None = None
     tolerance: Annotated[float, quantity(ANGLE, SAME_ORIENTATION, 0.2)] = SAME_ORIENTATION
+    precision: Annotated[float | None, quantity(ANGLE, FINEST, COARSEST)] = None
 
     @model_validator(mode="after")
     def _one(self) -> Self:

@@ -9,6 +9,7 @@ import numpy as np
 from timelaw.errors import list_some
 from timelaw.numerics.array import Array
 from timelaw.orientations import OrientationSet
+from timelaw.route import Route
 from timelaw.tours import Tour
 from timelaw.tours.fastest import TIME
 from timelaw.tours.merit import LENGTH, Merit
@@ -86,13 +87,33 @@ def _quantity(merit: Merit, number: float, *, down: bool = False) -> str:
     return f"{float(rounded):.6g}°" if angle else f"{rounded:.4f} s"
 
 
-def list_notes(points: OrientationSet) -> list[str]:
-    """What there is to say of the orientations: what was left out, merged, or is the same."""
+def list_notes(points: OrientationSet, route: Route) -> list[str]:
+    """What there is to say of the orientations: what was left out, merged, is the same, or was moved."""
     same = list_some([f"{other} is {one}" for one, other in points.same])
     return [
         *points.notes,
         *([f"some orientations are the same, q and -q being one: {same}"] if points.same else []),
+        *describe_moves(points, route),
     ]
+
+
+def describe_moves(points: OrientationSet, route: Route) -> list[str]:
+    """A sentence on the nodes that were moved to go straight on, and how far; none where none was."""
+    if not (moved := route.moved):
+        return []
+    farthest = max(moved, key=lambda label: moved[label])
+    verb = "is" if len(moved) == 1 else "are"
+    each = list_some([f"{label} by {_small(angle)}" for label, angle in moved.items()])
+    return [
+        f"{len(moved)} of {len(points)} nodes {verb} moved onto great circles that they lie on within the "
+        f"precision of the input ({points.precision.origin}: {_small(points.precision.angle)}), so that the "
+        f"body goes straight on, node {farthest} farthest, by {_small(moved[farthest])}: {each}"
+    ]
+
+
+def _small(angle: float) -> str:
+    """A small angle in degrees, to three digits."""
+    return f"{np.degrees(angle):.3g}°"
 
 
 def measure_arcs(points: OrientationSet) -> Array:

@@ -11,16 +11,11 @@ from numpy.typing import ArrayLike
 from timelaw.errors import Fault, InputError
 from timelaw.numerics.array import Array
 from timelaw.numerics.quaternion import from_axis_angle, multiply
-from timelaw.numerics.turn import (
-    SAME_AXIS,
-    SAME_ORIENTATION,
-    Turn,
-    angle_between_axes,
-    choose_sense,
-    find_turn,
-)
+from timelaw.numerics.turn import SAME_ORIENTATION, angle_between_axes, choose_sense, find_turn
 from timelaw.orientations import OrientationSet
+from timelaw.route.chains import Chain, measure_legs
 from timelaw.route.leg import Leg
+from timelaw.route.settle import Settled, settle_visits
 from timelaw.tours import Tour
 
 NodeKind = Literal["start", "corner", "straight", "end"]
@@ -28,11 +23,15 @@ NodeKind = Literal["start", "corner", "straight", "end"]
 
 @dataclass(frozen=True)
 class Node:
-    """A visit: `turn` [rad] is the angle between the axes of the legs before and after."""
+    """A visit: `turn` [rad] is the angle between the axes of the legs before and after.
+
+    `moved` [rad] is how far the orientation was moved, within its precision, to go straight on.
+    """
 
     label: str
     kind: NodeKind
     turn: float = 0.0
+    moved: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -71,6 +70,11 @@ class Route:
         return tuple(runs)
 
     @property
+    def moved(self) -> dict[str, float]:
+        """Labels of the nodes that were moved, and how far [rad]."""
+        return {node.label: node.moved for node in self.nodes if node.moved > 0}
+
+    @property
     def straight_nodes(self) -> int:
         """How many nodes the body may pass at speed."""
         return sum(node.kind == "straight" for node in self.nodes)
@@ -91,7 +95,7 @@ class Route:
 
 
 def lay_route(points: OrientationSet, tour: Tour) -> Route:
-    """Join the visits of a tour by great-circle arcs.
+    """Join the visits of a tour by great-circle arcs; what is straight within their precision is straight.
 
     Raises:
         InputError: two visits in a row are the same orientation.
@@ -99,55 +103,60 @@ def lay_route(points: OrientationSet, tour: Tour) -> Route:
     order = tour.visits()
     labels = [points.labels[i] for i in order]
     visits = points.quaternions[list(order)]
-    turns = [find_turn(visits[k], visits[k + 1]) for k in range(len(order) - 1)]
-    for k, turn in enumerate(turns):
-        if turn.angle < SAME_ORIENTATION:
+    precision = points.precision.angle
+    for k, angle in enumerate(find_turn(visits[:-1], visits[1:]).angle):
+        if angle < max(SAME_ORIENTATION, precision):
             message = f'"{labels[k]}" and "{labels[k + 1]}" follow each other and are the same orientation'
+            origin = f"{points.precision.origin}: {np.degrees(precision):.3g}°"
+            within = f" within their precision ({origin})" if precision > SAME_ORIENTATION else ""
             remedy = "leave one out, or add duplicates: merge to the orientations"
-            raise InputError(Fault(f"{message}; {remedy}", "route.tour"))
-    axes = _settle_half_turns(turns)
+            raise InputError(Fault(f"{message}{within}; {remedy}", "route.tour"))
+    settled = settle_visits(visits, precision, closed=tour.closed)
+    legs = _lay_legs(labels, settled, precision)
+    return Route(legs, _nodes(legs, settled))
+
+
+def _lay_legs(labels: list[str], settled: Settled, precision: float) -> tuple[Leg, ...]:
+    """The legs of all chains, with signs that make the path continuous."""
     legs: list[Leg] = []
-    start = visits[0]
-    for k, turn in enumerate(turns):
-        short = float(turn.angle)
-        angle = short if float(axes[k] @ turn.axis) > 0 else 2 * np.pi - short
-        reached = multiply(start, from_axis_angle(axes[k], np.array(angle)))
-        end = visits[k + 1] if float(reached @ visits[k + 1]) >= 0 else -visits[k + 1]
-        legs.append(Leg(labels[k], labels[k + 1], start, end, axes[k], angle, bool(turn.half)))
-        start = end
-    return Route(tuple(legs), _nodes(legs))
+    start = settled.visits[0]
+    for chain in settled.chains:
+        axis, angles, half = _find_turns(chain, settled.visits[chain.visits], precision)
+        for k, angle in enumerate(angles, chain.first):
+            reached = multiply(start, from_axis_angle(axis, angle))
+            visit = settled.visits[k + 1]
+            end = visit if float(reached @ visit) >= 0 else -visit
+            legs.append(Leg(labels[k], labels[k + 1], start, end, axis, float(angle), half[k - chain.first]))
+            start = end
+    return tuple(legs)
 
 
-def _settle_half_turns(turns: list[Turn]) -> list[Array]:
-    """Give half-turns the sense that goes straight on, from the leg before or into the leg after.
+def _find_turns(chain: Chain, visits: Array, precision: float) -> tuple[Array, Array, list[bool]]:
+    """Axis (3,) and angles (n,) of the legs of a chain, and which of them are half-turns.
 
-    Half-turns in a row about one axis get one sense together; without a neighbour to go on to,
-    the one whose first non-zero component is positive.
+    A half-turn by itself, about n or -n, has the sense whose first non-zero component is positive.
     """
-    axes, free = [turn.axis for turn in turns], [bool(turn.half) for turn in turns]
-    settled, k = list(axes), 0
-    while k < len(axes):
-        end = k + 1
-        if free[k]:
-            while end < len(axes) and free[end] and _parallel(axes[k], axes[end]):
-                end += 1
-            neighbours = [settled[k - 1]] if k else []
-            neighbours += [axes[end]] if end < len(axes) and not free[end] else []
-            guide = next((n for n in neighbours if _parallel(axes[k], n)), choose_sense(axes[k]))
-            settled[k:end] = [axis if float(axis @ guide) > 0 else -axis for axis in axes[k:end]]
-        k = end
-    return settled
+    turns = find_turn(visits[:-1], visits[1:], precision)
+    half = [bool(one) for one in turns.half]
+    if chain.circle is not None:
+        return chain.circle.axis, measure_legs(chain.circle, visits), half
+    axis = choose_sense(turns.axis[0], precision) if half[0] else turns.axis[0]
+    other_way = float(axis @ turns.axis[0]) < 0
+    return axis, 2 * np.pi - turns.angle if other_way else turns.angle, half
 
 
-def _parallel(first: Array, second: Array) -> bool:
-    """Whether two axes are one line."""
-    turn = angle_between_axes(first, second)
-    return min(turn, np.pi - turn) <= SAME_AXIS
-
-
-def _nodes(legs: list[Leg]) -> tuple[Node, ...]:
-    inner = []
-    for before, after in pairwise(legs):
-        turn = angle_between_axes(before.axis, after.axis)
-        inner.append(Node(before.target, "straight" if turn <= SAME_AXIS else "corner", turn))
-    return (Node(legs[0].origin, "start"), *inner, Node(legs[-1].target, "end"))
+def _nodes(legs: tuple[Leg, ...], settled: Settled) -> tuple[Node, ...]:
+    """The visits: straight on inside of chains, where the axis is the same vector before and after."""
+    ends = {chain.first for chain in settled.chains}
+    moved = [float(move) for move in settled.moves]
+    inner = [
+        Node(
+            before.target,
+            "corner" if k in ends else "straight",
+            angle_between_axes(before.axis, after.axis),
+            moved[k],
+        )
+        for k, (before, after) in enumerate(pairwise(legs), 1)
+    ]
+    first, last = Node(legs[0].origin, "start", 0.0, moved[0]), Node(legs[-1].target, "end", 0.0, moved[-1])
+    return (first, *inner, last)

@@ -17,16 +17,19 @@ MINIMAL = "legs × the minimal distance"
 TREES = "Held–Karp bound"
 
 
-def find_shortest(angles: Array, ends: Ends, progress: Progress | None = None) -> Searched:
+def find_shortest(
+    angles: Array, ends: Ends, progress: Progress | None = None, precision: float = 0.0
+) -> Searched:
     """A tour of least total angle, given the rotation angles (N, N) [rad]; the same one every time.
 
     Where all legs can have the minimal distance, a path or cycle of such legs is found; up to 16
-    nodes all tours are compared; otherwise it is the best found, with a lower bound.
+    nodes all tours are compared; otherwise it is the best found, with a lower bound. Distances that are
+    equal within the `precision` [rad] of the orientations are taken for equal where that helps the search.
     """
     count = len(angles)
     legs = count - 1 + ends.closed
     minimal = float(np.min(angles[~np.eye(count, dtype=bool)]))
-    neighbours = list_neighbours(angles)
+    neighbours = list_neighbours(angles, precision)
     path = None if find_obstacle(neighbours, ends) else find_path(neighbours, ends)
     if path is not None:
         total = sum_costs(angles, path, closed=ends.closed)

@@ -143,7 +143,7 @@ def _shipped(graph: MinimalLegs, ends: Ends, goal: str) -> Searched | None:
     """A tour from the data of a lattice congruent to the set, carried to it and to the ends; checked."""
     for name, kinds in json.loads(files("timelaw.tours").joinpath(DATA).read_text(encoding="utf-8")).items():
         model = MinimalLegs(make_lattice(name))
-        nodes = find_congruence(model.quaternions, graph.quaternions)
+        nodes = find_congruence(model.quaternions, graph.quaternions, graph.precision)
         if nodes is None or any(
             {nodes[j] for j in near} != set(graph.neighbours[nodes[i]])
             for i, near in enumerate(model.neighbours)

@@ -148,7 +148,12 @@ def _paper(wanted: Wanted) -> Searched:
 
 def _shortest(wanted: Wanted) -> Searched:
     """Of least total angle."""
-    return find_shortest(measure_distances(wanted.points.quaternions), wanted.ends, wanted.progress)
+    return find_shortest(
+        measure_distances(wanted.points.quaternions),
+        wanted.ends,
+        wanted.progress,
+        wanted.points.precision.angle,
+    )
 
 
 def _fewest_stops(wanted: Wanted) -> Searched:
@@ -163,9 +168,8 @@ def _least_turning(wanted: Wanted) -> Searched:
 
 def _straightest(wanted: Wanted, goal: str) -> Searched:
     points = wanted.points
-    return find_straightest(
-        MinimalLegs(points.quaternions), wanted.ends, goal, points.labels, wanted.progress
-    )
+    graph = MinimalLegs(points.quaternions, points.precision.angle)
+    return find_straightest(graph, wanted.ends, goal, points.labels, wanted.progress)
 
 
 def _fastest(wanted: Wanted) -> Searched:

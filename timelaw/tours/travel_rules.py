@@ -37,6 +37,7 @@ def make_travel_times(problem: Problem, points: OrientationSet, progress: Progre
         progress,
         slower,
         sum(dwells.values()),
+        points.precision.angle,
     )
 
 

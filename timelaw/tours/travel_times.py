@@ -29,7 +29,7 @@ class TravelTimes:
     The double-S profile under velocity, acceleration, jerk and momentum, the phase plane under
     torque. The body may go through the nodes `passable` at speed, and rests at all others. The limits
     `at` a node hold on the legs that meet there, besides the general ones. `rest` [s] is what any
-    tour dwells in all.
+    tour dwells in all; `precision` [rad] is that of the orientations.
 
     Raises:
         InputError: no limit bounds some leg, or there are too many for a torque limit.
@@ -43,11 +43,12 @@ class TravelTimes:
         progress: Progress | None = None,
         at: Mapping[int, Sequence[Limit]] | None = None,
         rest: float = 0.0,
+        precision: float = 0.0,
     ) -> None:
         self.rest = rest
         self._quaternions, self._limits, self._progress = quaternions, tuple(limits), progress
         self._at = at or {}
-        self.straight_runs = StraightRuns(quaternions, passable)
+        self.straight_runs = StraightRuns(quaternions, passable, precision)
         self.run = cache(self._run)
         self._known: dict[object, float] = {}
         self._plain = not any(limit.couples for limit in chain(limits, *self._at.values()))

@@ -4,13 +4,16 @@ from typing import Any
 
 from timelaw.report.outcome import describe_outcome
 from timelaw.report.section import Facts, Section
-from timelaw.report.tour_text import describe_order
+from timelaw.report.tour_text import describe_moves, describe_order
 
 
 def _context(facts: Facts) -> dict[str, Any]:
     design = facts.design
     return {
-        "certificate_lines": describe_order(design.tour),
+        "certificate_lines": [
+            *describe_order(design.tour),
+            *describe_moves(design.orientations, design.route),
+        ],
         "runs_count": len(design.requirements.runs(design.route)),
         "best": facts.rows[0],
         "outcome": describe_outcome(design, facts.rows),

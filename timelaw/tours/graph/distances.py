@@ -34,8 +34,11 @@ def find_minimal_distance(quaternions: Array) -> float:
     return least
 
 
-def list_neighbours(angles: Array) -> list[list[int]]:
-    """Of each node, the nodes at the minimal distance, given the angles (N, N) [rad]."""
+def list_neighbours(angles: Array, precision: float = 0.0) -> list[list[int]]:
+    """Of each node, the nodes at the minimal distance, given the angles (N, N) [rad].
+
+    Where each node may be `precision` [rad] away from what was meant, equal ones differ by four times that.
+    """
     apart = angles + np.diag(np.full(len(angles), np.inf))
-    near = apart <= np.min(apart) + NEIGHBOUR_TOLERANCE
+    near = apart <= np.min(apart) + max(NEIGHBOUR_TOLERANCE, 4 * precision)
     return [list(map(int, np.flatnonzero(row))) for row in near]

@@ -9,8 +9,8 @@ from math import ceil
 import numpy as np
 
 from timelaw.numerics.array import Array
-from timelaw.numerics.quaternion import conjugate, multiply
-from timelaw.numerics.turn import SAME_AXIS, angle_between_axes, find_turn
+from timelaw.numerics.quaternion import angle_between, conjugate, multiply
+from timelaw.numerics.turn import allow_turn, angle_between_axes, find_turn
 from timelaw.tours.graph.distances import list_neighbours, measure_distances
 
 
@@ -19,10 +19,11 @@ class MinimalLegs:
     """Nearest neighbours of each orientation, and the node that goes straight on from i through j.
 
     q_k = q_j ⊗ (q_i* ⊗ q_j), the same turn again, up to sign; absent where that is no orientation
-    of the set, no neighbour, or i itself.
+    of the set, no neighbour, or i itself. All within the `precision` [rad] of the orientations.
     """
 
     quaternions: Array
+    precision: float = 0.0
 
     def __len__(self) -> int:
         return len(self.quaternions)
@@ -30,7 +31,7 @@ class MinimalLegs:
     @cached_property
     def neighbours(self) -> list[list[int]]:
         """Nodes at the minimal distance, of each node."""
-        return list_neighbours(measure_distances(self.quaternions))
+        return list_neighbours(measure_distances(self.quaternions), self.precision)
 
     @cached_property
     def axes(self) -> dict[tuple[int, int], Array]:
@@ -50,13 +51,18 @@ class MinimalLegs:
             reached = multiply(q[nearest], turns)
             for j, row in zip(nearest, np.abs(reached @ q.T), strict=True):
                 k = int(np.argmax(row))
-                if k != i and k in self.neighbours[j] and self._turn(i, j, k) <= SAME_AXIS:
+                if k != i and k in self.neighbours[j] and self._is_straight(i, j, k):
                     found[i, j] = k
         return found
 
     def turn(self, i: int, j: int, k: int) -> float:
         """Angle [rad] by which the axis turns at j, between the legs from i and to k; 0 straight on."""
         return 0.0 if self.onward.get((i, j)) == k else self._turn(i, j, k)
+
+    def _is_straight(self, i: int, j: int, k: int) -> bool:
+        q = self.quaternions
+        most = allow_turn(angle_between(q[i], q[j]), angle_between(q[j], q[k]), self.precision)
+        return self._turn(i, j, k) <= float(most)
 
     def _turn(self, i: int, j: int, k: int) -> float:
         return angle_between_axes(self.axes[i, j], self.axes[j, k])

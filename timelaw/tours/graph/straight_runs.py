@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from timelaw.numerics.array import Array
-from timelaw.numerics.turn import SAME_AXIS, find_turn
+from timelaw.numerics.turn import SAME_AXIS, allow_turn, find_turn
 
 Leg = tuple[int, int, int]  # from, to, sense
 
@@ -16,15 +16,16 @@ SENSE = (1.0, 0.6180339887, 0.3183098862)  # no axis of a lattice is at right an
 class StraightRuns:
     """For a leg i → j, the nodes k with the axis of j → k equal to its own, nearest first.
 
+    Axes are equal where the three nodes are within `precision` [rad] of one great circle.
     A half-turn has two senses, and keeps the one it began with: sense 1 is about the axis that is more than
     a right angle from a fixed one; all other legs have sense 0. Runs go on at `passable` nodes only.
     """
 
-    def __init__(self, quaternions: Array, passable: Collection[int]) -> None:
+    def __init__(self, quaternions: Array, passable: Collection[int], precision: float = 0.0) -> None:
         self._count, self._passable = len(quaternions), frozenset(passable)
         self._onward: dict[Leg, list[tuple[int, int]]] = {}
         for j in range(len(quaternions)) if self._passable else ():
-            for i, sense, k, after in _pairs(quaternions, j):
+            for i, sense, k, after in _pairs(quaternions, j, precision):
                 self._onward.setdefault((i, j, sense), []).append((k, after))
         for (_, j, _), nodes in self._onward.items():
             nodes.sort(key=lambda k, j=j: -abs(float(quaternions[j] @ quaternions[k[0]])))  # type: ignore[misc]
@@ -68,12 +69,12 @@ class StraightRuns:
         return [*runs, visits[first:]]
 
 
-def _pairs(quaternions: Array, j: int) -> list[tuple[int, int, int, int]]:
+def _pairs(quaternions: Array, j: int, precision: float) -> list[tuple[int, int, int, int]]:
     """(i, its sense, k, its sense) of all legs i → j and j → k that turn about one axis in one sense."""
     from scipy.spatial import cKDTree
 
-    turns = find_turn(quaternions[j], quaternions)
-    nodes = np.flatnonzero(np.sin(turns.angle / 2) > SAME_AXIS)
+    turns = find_turn(quaternions[j], quaternions, precision)
+    nodes = np.flatnonzero(np.sin(turns.angle / 2) > max(SAME_AXIS, precision / 2))
     axes, half = turns.axis[nodes], turns.half[nodes]
     nodes, axes = np.concatenate([nodes, nodes[half]]), np.concatenate([axes, -axes[half]])
     if not len(nodes):
@@ -81,11 +82,16 @@ def _pairs(quaternions: Array, j: int) -> list[tuple[int, int, int, int]]:
     half = np.concatenate([half, half[half]])
     leaving = half & (axes @ SENSE < 0)
     arriving = half & (axes @ SENSE > 0)  # i → j turns about the axis opposite to that of j → i
-    near_axes: Any = cKDTree(axes).query_ball_point(-axes, SAME_AXIS)
+    angles = turns.angle[nodes]
+    widest = allow_turn(angles, np.min(angles), precision)  # a short leg shows its axis least
+    near_axes: Any = cKDTree(axes).query_ball_point(-axes, widest)
+    first = np.repeat(np.arange(len(nodes)), [len(near) for near in near_axes])
+    second = np.array([b for near in near_axes for b in near], dtype=int)
+    apart = np.linalg.norm(axes[first] + axes[second], axis=1)
+    straight = apart <= allow_turn(angles[first], angles[second], precision)
+    kept = straight & (nodes[first] != nodes[second])
     found = {
         (int(nodes[a]), int(arriving[a]), int(nodes[b]), int(leaving[b]))
-        for a, near in enumerate(near_axes)
-        for b in near
-        if nodes[a] != nodes[b]
+        for a, b in zip(first[kept], second[kept], strict=True)
     }
     return sorted(found)

@@ -9,38 +9,43 @@ from timelaw.tours.ends import Ends
 Order = tuple[int, ...]
 
 CLOSE = 1e-9  # of |q·q| from one, where two vertices are the same
+AMPLIFIED = 20.0  # times what four nearest neighbours are off, all others are off when carried by them
 
 
-def find_permutation(quaternions: Array, images: Array) -> list[int] | None:
-    """Which node each image (N, 4) is, up to sign; None if they are not the set."""
+def find_permutation(quaternions: Array, images: Array, close: float = CLOSE) -> list[int] | None:
+    """Which node each image (N, 4) is, up to sign, with |q·q| within `close` of 1; None if some is none."""
     cosines = np.abs(images @ quaternions.T)
     nodes = [int(node) for node in np.argmax(cosines, axis=1)]
-    if np.min(np.max(cosines, axis=1)) < 1 - CLOSE or len(set(nodes)) < len(nodes):
+    if np.min(np.max(cosines, axis=1)) < 1 - close or len(set(nodes)) < len(nodes):
         return None
     return nodes
 
 
-def find_congruence(model: Array, points: Array) -> list[int] | None:
+def find_congruence(model: Array, points: Array, precision: float = 0.0) -> list[int] | None:
     """Which node of `points` each vertex of `model` is, up to sign, after an isometry between the two sets.
 
     A tetrahedron of nearest neighbours is carried to another one; where all of them are alike, as
-    in the 600-cell, that finds the isometry if there is one. None if it does not.
+    in the 600-cell, that finds the isometry if there is one. None if it does not. The points may be
+    `precision` [rad of body turn] away from where they belong.
     """
     if len(model) != len(points):
         return None
-    frames = [_tetrahedron(model), _tetrahedron(points)]
+    close = max(CLOSE, AMPLIFIED * precision)
+    frames = [_tetrahedron(model, CLOSE), _tetrahedron(points, close)]
     if any(len(frame) < 4 for frame in frames):
         return None
     carried = model @ np.linalg.solve(*frames)
-    return find_permutation(points, carried) if np.allclose(carried @ carried.T, model @ model.T) else None
+    if not np.allclose(carried @ carried.T, model @ model.T, atol=max(1e-8, close)):
+        return None
+    return find_permutation(points, carried, close)
 
 
-def _tetrahedron(quaternions: Array) -> Array:
+def _tetrahedron(quaternions: Array, close: float) -> Array:
     """Vertices (4, 4), signed, of nearest neighbours around the first; fewer rows if there are none."""
     nearest = np.sort(np.abs(quaternions[0] @ quaternions.T))[-2]
     chosen = quaternions[:1]
     for vertex in (s * q for q in quaternions[1:] for s in (1.0, -1.0)):
-        if len(chosen) < 4 and np.all(np.abs(chosen @ vertex - nearest) < CLOSE):
+        if len(chosen) < 4 and np.all(np.abs(chosen @ vertex - nearest) < close):
             chosen = np.vstack([chosen, vertex])
     return chosen
 
