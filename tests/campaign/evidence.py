@@ -84,10 +84,13 @@ class Evidence:
     @cached_property
     def samples(self) -> list[dict[int, np.ndarray]]:
         """Per piece, q and its rates at Chebyshev's points."""
-        return [self.sampled(self.inside(piece, CHEBYSHEV)) for piece in self.pieces]
+        return self.sampled(CHEBYSHEV)
 
-    def sampled(self, t: np.ndarray) -> dict[int, np.ndarray]:
-        return {k: np.asarray(self.law(t, k)) for k in range(HIGHEST + 1)}
+    def sampled(self, places: np.ndarray) -> list[dict[int, np.ndarray]]:
+        """Per piece, q and its rates at these parts of it."""
+        t = np.array([self.inside(piece, places) for piece in self.pieces])
+        values = {k: np.asarray(self.law(t, k)) for k in range(HIGHEST + 1)}
+        return [{k: value[i] for k, value in values.items()} for i in range(len(self.pieces))]
 
     @cached_property
     def largest(self) -> dict[int, float]:
@@ -109,3 +112,23 @@ class Evidence:
         eps, long = np.finfo(float).eps, piece.end - piece.start
         angle = 2 * np.pi
         return 64 * eps * angle / min(long, 1e300) ** order + 1e-12 * self.largest[order]
+
+    @cached_property
+    def jumps(self) -> list[tuple[float, int, str]]:
+        """(part of the scale, order, place) of every jump up to the continuity asked for."""
+        orders = range(1, self.spec.continuity + 1)
+        found = [jump for order in orders for jump in self._node_jumps(order)]
+        for segment in self.law.segments:
+            for place, jump in zip(segment.breaks[1:], segment.jumps(), strict=False):
+                at = f"inside {segment.name} at {place:.9g} of it"
+                found += [(jump[k] / (self.scale[k] or 1.0), k, at) for k in orders]
+        return found
+
+    def _node_jumps(self, order: int) -> list[tuple[float, int, str]]:
+        """Of one rate, what is outside the motion included."""
+        law, legs = self.law, [s for s in self.law.segments if s.moves]
+        left, right = (np.array(law(law.times, order, side)) for side in ("left", "right"))
+        left[0] = self.spec.end_rates("start")[order - 1] * np.asarray(legs[0].axis_at(0))
+        right[-1] = self.spec.end_rates("end")[order - 1] * np.asarray(legs[-1].axis_at(-1))
+        sizes = np.linalg.norm(right - left, axis=1) / (self.scale[order] or 1.0)
+        return [(float(size), order, f"at t = {t:.9g}") for t, size in zip(law.times, sizes, strict=True)]

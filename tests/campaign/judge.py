@@ -10,7 +10,7 @@ from pathlib import Path
 
 from tests.campaign.answer_checks import ANSWER_CHECKS
 from tests.campaign.evidence import Evidence
-from tests.campaign.law_checks import LAW_CHECKS, list_jumps
+from tests.campaign.law_checks import LAW_CHECKS
 from tests.campaign.refusal import CONFIRMED, UNCONFIRMED, WRONG, judge_input_error, judge_refusal
 from tests.campaign.spec import read_spec
 from timelaw import design
@@ -88,7 +88,7 @@ def _design_and_look(path: Path, text: str, *, files: bool) -> Result:
     if not certificate.holds:
         verdict = NOT_CERTIFIED
         findings = [*(f"certificate: {finding}" for finding in certificate.findings()), *findings]
-    jump = max((jump[0] for jump in list_jumps(evidence)), default=0.0)
+    jump = max((jump[0] for jump in evidence.jumps), default=0.0)
     status = sorted({s.status.name for s in done.solution.solutions})
     return Result(verdict, findings, "", float(jump), status, took)
 

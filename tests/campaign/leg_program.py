@@ -31,6 +31,8 @@ class Space:
         if self.breaks:
             knots = np.r_[[0.0] * self.degree, self.breaks, [1.0] * self.degree]
             count = len(knots) - self.degree - 1
+            if order > self.degree:
+                return np.zeros((len(tau), count))
             spline = BSpline(knots, np.eye(count), self.degree)
             return np.asarray(spline.derivative(order)(tau) if order else spline(tau))
         columns = []
