@@ -13,6 +13,7 @@ from tests.campaign.spec import RATES, Spec
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(16)
 CHEBYSHEV = (1 - np.cos(np.linspace(0, np.pi, 25))) / 2
 HIGHEST = 4
+CLEAR = 16  # rounding errors of a time, by which samples keep clear of breaks
 
 
 @dataclass(frozen=True)
@@ -78,8 +79,9 @@ class Evidence:
 
     def inside(self, piece: Piece, places: np.ndarray) -> np.ndarray:
         """Instants at the parts `places` of a piece, the ends kept clear of what is beyond them."""
-        t = piece.start + (piece.end - piece.start) * places
-        return np.clip(t, np.nextafter(piece.start, np.inf), np.nextafter(piece.end, -np.inf))
+        long = piece.end - piece.start
+        edge = min(max(CLEAR * np.spacing(piece.end), CLEAR * np.finfo(float).eps * long), long / 4)
+        return np.clip(piece.start + long * places, piece.start + edge, piece.end - edge)
 
     @cached_property
     def samples(self) -> list[dict[int, np.ndarray]]:

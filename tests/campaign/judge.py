@@ -1,5 +1,6 @@
 """One problem text: designed, looked at from all sides, and a verdict."""
 
+import re
 import resource
 import tempfile
 import traceback
@@ -21,6 +22,7 @@ CERTIFIED, NOT_CERTIFIED, TRACEBACK, HANG = "certified", "not certified", "trace
 VERDICTS = (CERTIFIED, CONFIRMED, UNCONFIRMED, NOT_CERTIFIED, TRACEBACK, HANG, WRONG)
 FAILED = (NOT_CERTIFIED, TRACEBACK, HANG, WRONG)
 
+ROWS, MOST_ROWS = re.compile(r"output.rate: (\d+) rows in"), 2_000_000
 LINES = 9  # of a traceback: its end says where
 
 
@@ -71,8 +73,7 @@ def _design_and_look(path: Path, text: str, *, files: bool) -> Result:
     spec, begun = read_spec(text), cpu()
     try:
         done = design(path)
-        if files:
-            list_files(done, path)
+        left_out = _make_files(done, path) if files else ""
     except InfeasibleError as error:
         return _refused(str(error), cpu() - begun, *judge_refusal(spec, str(error)))
     except InputError as error:
@@ -82,7 +83,8 @@ def _design_and_look(path: Path, text: str, *, files: bool) -> Result:
         return Result(TRACEBACK, ["\n".join(lines[-LINES:])], designing=cpu() - begun)
     took = cpu() - begun
     evidence = Evidence(spec, done)
-    findings = list(look(evidence))
+    findings = [left_out] if left_out else []
+    findings += look(evidence)
     certificate = done.optimised.certificate
     verdict = WRONG if findings else CERTIFIED
     if not certificate.holds:
@@ -91,6 +93,18 @@ def _design_and_look(path: Path, text: str, *, files: bool) -> Result:
     jump = max((jump[0] for jump in evidence.jumps), default=0.0)
     status = sorted({s.status.name for s in done.solution.solutions})
     return Result(verdict, findings, "", float(jump), status, took)
+
+
+def _make_files(done, path: Path) -> str:
+    """What is wrong with all the files that are written; more rows than are allowed may be refused."""
+    try:
+        list_files(done, path)
+    except InputError as error:
+        rows = ROWS.search(str(error))
+        wanted = done.optimised.law.duration * done.problem.output.rate
+        if rows is None or wanted < MOST_ROWS or abs(int(rows.group(1)) - wanted) > 2:
+            return f"files: {error}"
+    return ""
 
 
 def _refused(message: str, took: float, verdict: str, why: str) -> Result:

@@ -16,6 +16,7 @@ from scipy.optimize import linprog
 ROUNDS = 4
 INFEASIBLE = 2  # linprog's status
 FIRM = 1e-8  # relative
+PASSES = 0.01  # of the leg
 TIGHT = 2e-6  # relative: what may be exceeded between the points
 
 
@@ -63,7 +64,7 @@ class Leg:
     """Angle [rad], bounds by order of rate, rates at both ends (r each).
 
     Orders that are `firm` keep their bounds as they are: where a rate at an end is at its bound, no law has
-    room there.
+    room there. One that must `stay` on the arc passes neither end by more than a hundredth of it.
     """
 
     angle: float
@@ -71,6 +72,7 @@ class Leg:
     start: tuple[float, ...]
     end: tuple[float, ...]
     firm: frozenset[int] = frozenset()
+    stay: bool = False
 
 
 def least_factor(leg: Leg, time: float, space: Space) -> tuple[float, float]:
@@ -79,9 +81,10 @@ def least_factor(leg: Leg, time: float, space: Space) -> tuple[float, float]:
         _scaled(leg, time, _tables(space, fine)) for fine in _fineness(space)
     )
     ends = _ends(leg, time, space)
+    place = space.values(space.points(_fineness(space)[0]), 0) if leg.stay else None
     lower, upper = 0.0, np.inf
     for _ in range(ROUNDS):
-        factor, coefficients = _solve(rows, firm, *ends)
+        factor, coefficients = _solve(rows, firm, *ends, place)
         if coefficients is None:
             return max(lower, np.inf if factor else lower), upper
         used = np.abs(dense @ coefficients)
@@ -121,13 +124,21 @@ def _ends(leg: Leg, time: float, space: Space) -> tuple[np.ndarray, np.ndarray]:
     return np.vstack(rows), np.array(right)
 
 
-def _solve(rows, firm, ends, right):
+def _solve(rows, firm, ends, right, place):
     """Least p with |rows c| ≤ p, or 1 where they are firm, and c; none, and 1 for sure, if nothing is feasible."""
     shares = np.where(firm, 0.0, -1.0)[:, None]
+    upper, most = (
+        np.vstack([np.hstack([rows, shares]), np.hstack([-rows, shares])]),
+        np.tile(np.where(firm, 1.0, 0.0), 2),
+    )
+    if place is not None:
+        none = np.zeros((len(place), 1))
+        upper = np.vstack([upper, np.hstack([place, none]), np.hstack([-place, none])])
+        most = np.r_[most, np.full(len(place), 1 + PASSES), np.full(len(place), PASSES)]
     found = linprog(
         np.r_[np.zeros(rows.shape[1]), 1.0],
-        A_ub=np.vstack([np.hstack([rows, shares]), np.hstack([-rows, shares])]),
-        b_ub=np.tile(np.where(firm, 1.0, 0.0), 2),
+        A_ub=upper,
+        b_ub=most,
         A_eq=np.hstack([ends, np.zeros((len(ends), 1))]),
         b_eq=right,
         bounds=[(None, None)] * rows.shape[1] + [(0, None)],

@@ -1,6 +1,7 @@
 """Is a refusal right? What an oracle says of the problem, and of the numbers in the message."""
 
 import re
+from dataclasses import replace
 from math import inf
 
 from tests.campaign import least, leg_program
@@ -38,8 +39,8 @@ def judge_input_error(spec: Spec, message: str) -> tuple[str, str]:
 def judge_refusal(spec: Spec, message: str) -> tuple[str, str]:
     """Of a problem that is said to have no solution: verdict, and what speaks for it."""
     factor = float(found.group(1)) if (found := FACTOR.search(message)) else None
-    if factor is not None and not factor >= 1:
-        return WRONG, f"a factor below one: {factor}"
+    if factor is not None and not factor > 1:
+        return WRONG, f"limits {factor:g} times as large are the ones that were given"
     if not PLACE.search(message):
         return WRONG, "the message names no place"
     if not spec.timed and not spec.moving:
@@ -120,21 +121,24 @@ def _judge_moving(spec: Spec, legs: list[Leg], factor: float | None) -> tuple[st
     ends = _end_runs(spec, legs)
     if any(len(run) > 1 for run, _, _ in ends):
         return UNCONFIRMED, "no program for several legs in a run"
-    found = [(_moving_factor(spec, run[0], start, end)) for run, start, end in ends]
-    says = "; ".join(
-        f"limits {low:.9g} to {high:.9g} times as large in {time:.9g} s" for time, low, high in found
+    return _weigh(spec, has_program(spec, legs[0]), ends, factor)
+
+
+def _weigh(spec: Spec, exact: bool, ends, factor: float | None) -> tuple[str, str]:
+    """Possible if a law exists that stays on its arcs, not if there is none however far it runs beyond them."""
+    staying, free = (
+        [_moving_factor(spec, run[0], start, end, stay=stay) for run, start, end in ends]
+        for stay in (True, False)
     )
-    room = 1 - 1e-5 if has_program(spec, legs[0]) else 1 / RICH if spec.intervals >= 28 else 0.0
-    if all(high <= room for _, _, high in found):
+    says = "; ".join(
+        f"limits {low:.9g} to {high:.9g} times as large in {time:.9g} s" for time, low, high in staying
+    )
+    room = 1 - 1e-5 if exact else 1 / RICH if spec.intervals >= 28 else 0.0
+    if all(high <= room for _, _, high in staying):
         return WRONG, "possible: " + says
-    sure = 1 + 1e-6 if has_program(spec, legs[0]) else RICH
-    broken = [(low, high) for _, low, high in found if low > sure]
-    if (
-        factor is not None
-        and broken
-        and has_program(spec, legs[0])
-        and not any(low * (1 - SAME) <= factor <= high * (1 + SAME) for low, high in broken)
-    ):
+    broken = [low for _, low, _ in free if low > (1 + 1e-6 if exact else RICH)]
+    least_of, most = min(broken, default=0.0), max(high for _, _, high in staying)
+    if factor is not None and exact and broken and not least_of * (1 - SAME) <= factor <= most * (1 + SAME):
         return WRONG, f"a factor of {factor}; {says}"
     return (CONFIRMED, says) if broken else (UNCONFIRMED, says)
 
@@ -151,13 +155,13 @@ def _end_runs(spec: Spec, legs: list[Leg]):
     ]
 
 
-def _moving_factor(spec: Spec, leg: Leg, start, end) -> tuple[float, float, float]:
+def _moving_factor(spec: Spec, leg: Leg, start, end, *, stay: bool) -> tuple[float, float, float]:
     """(time, lower, upper) of the least factor over all times."""
     space = leg_program.Space(spec.degree) if has_program(spec, leg) else _rich(spec)
     guess = max(
         least.double_s(leg.angle, *leg.ceiling.rates[:3]), leg.angle / max(*start[:1], *end[:1], 1e-300)
     )
-    return leg_program.least_factor_over_times(linear(leg, start, end), space, guess)
+    return leg_program.least_factor_over_times(replace(linear(leg, start, end), stay=stay), space, guess)
 
 
 def _steady(spec: Spec, legs: list[Leg]) -> bool:
