@@ -3,7 +3,7 @@
 from dataclasses import dataclass, field
 from math import inf
 
-from tests.campaign.leg_oracle import leg_factor, part_time, run_time, smooth_time
+from tests.campaign.leg_oracle import part_time, run_factor, run_time, smooth_time
 from tests.campaign.legs import Leg, runs
 from tests.campaign.spec import Spec, number
 
@@ -73,15 +73,15 @@ def _advance(
     fixed = {
         k: number(rule["duration"]) for k, leg in enumerate(part) if "duration" in (rule := _rule(spec, leg))
     }
-    if len(part) == 1 and all(rest) and fixed:
-        factor = leg_factor(spec, part[0], fixed[0])
+    if all(rest) and whole and len(fixed) == len(part):
+        factor = run_factor(spec, part, list(fixed.values()))
         found.factors.append(factor)
         if factor[0] > 1 + SURE:
             found.impossible = (
-                f"{part[0].origin}-{part[0].target} needs limits {factor[0]:.6g} times as large"
+                f"{part[0].origin}-{part[-1].target} needs limits {factor[0]:.6g} times as large"
             )
         found.possible = found.possible and factor[1] <= 1
-        walk.lower, walk.upper = walk.lower + fixed[0], walk.upper + fixed[0]
+        walk.lower, walk.upper = walk.lower + sum(fixed.values()), walk.upper + sum(fixed.values())
         return
     stretchable = [leg for k, leg in enumerate(part) if k not in fixed]
     walk.rigid = walk.rigid and not stretchable
@@ -95,7 +95,7 @@ def _advance(
         )
         upper = given + sum(t for k, t in enumerate(slow) if k not in fixed)
         if any(fixed[k] < slow[k] for k in fixed):
-            upper = inf
+            upper, found.possible = inf, False
     walk.lower, walk.upper = walk.lower + lower, walk.upper + upper
 
 

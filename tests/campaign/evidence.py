@@ -134,3 +134,23 @@ class Evidence:
         right[-1] = self.spec.end_rates("end")[order - 1] * np.asarray(legs[-1].axis_at(-1))
         sizes = np.linalg.norm(right - left, axis=1) / (self.scale[order] or 1.0)
         return [(float(size), order, f"at t = {t:.9g}") for t, size in zip(law.times, sizes, strict=True)]
+
+    @cached_property
+    def beyond(self) -> float:
+        """The largest part of a leg by which the body leaves its arc and comes back; no law is wrong for it."""
+        turned, worst = 0.0, 0.0
+        legs = iter(self.legs)
+        moving = [s.moves for s in self.law.segments]
+        for k, (piece, sample) in enumerate(zip(self.pieces, self.samples, strict=True)):
+            if not moving[piece.segment]:
+                continue
+            if k == 0 or self.pieces[k - 1].segment != piece.segment:
+                turned, leg = 0.0, next(legs)
+            speed = sample[1] @ np.asarray(self.law.segments[piece.segment].axis_at(0))
+            shape = np.polynomial.Chebyshev.fit(
+                CHEBYSHEV, speed * (piece.end - piece.start), len(CHEBYSHEV) - 1
+            )
+            places = turned + shape.integ(lbnd=0)(CHEBYSHEV)
+            worst = max(worst, float(np.max(places)) / leg.angle - 1, -float(np.min(places)) / leg.angle)
+            turned = float(places[-1])
+        return worst

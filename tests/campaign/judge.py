@@ -34,6 +34,7 @@ class Result:
     findings: list[str] = field(default_factory=list)
     message: str = ""
     jump: float = 0.0
+    beyond: float = 0.0
     status: list[str] = field(default_factory=list)
     designing: float = 0.0
     seconds: float = 0.0
@@ -92,7 +93,7 @@ def _design_and_look(path: Path, text: str, *, files: bool) -> Result:
         findings = [*(f"certificate: {finding}" for finding in certificate.findings()), *findings]
     jump = max((jump[0] for jump in evidence.jumps), default=0.0)
     status = sorted({s.status.name for s in done.solution.solutions})
-    return Result(verdict, findings, "", float(jump), status, took)
+    return Result(verdict, findings, "", float(jump), evidence.beyond, status, took)
 
 
 def _make_files(done, path: Path) -> str:

@@ -8,6 +8,7 @@ from tests.campaign.leg_program import Space
 from tests.campaign.legs import Leg, alike, loosest
 from tests.campaign.spec import Spec
 
+MOST_LEGS = 6  # of a run in one linear program
 HIGHEST_DEGREE = 15  # of linear programs: beyond, Chebyshev's rows take long
 ROOM = {"polynomial": 1.0, "spline": 1.3, "double-s": 1.0, "auto": 1.0}  # for the smoothstep in a basis
 AT_LIMIT = 0.9999  # part of a bound that a rate at an end takes
@@ -96,6 +97,16 @@ def leg_factor(spec: Spec, leg: Leg, time: float, start=None, end=None) -> tuple
     enough = time >= smooth_time(spec, leg) and not moving
     lower = 0.0 if moving else physical_factor([[leg]], time)
     return (lower, lower if has_closed_form(spec, [leg]) else 1.0 if enough else inf)
+
+
+def run_factor(spec: Spec, run: list[Leg], times: list[float]) -> tuple[float, float]:
+    """The same for all legs of a run from rest to rest, each in its own time."""
+    if len(run) == 1:
+        return leg_factor(spec, run[0], times[0])
+    if len(run) > MOST_LEGS or not all(has_program(spec, leg) for leg in run):
+        return physical_factor([run], sum(times)), inf
+    rest = (0.0,) * spec.continuity
+    return leg_program.chain_factor([linear(leg, rest, rest) for leg in run], times, Space(spec.degree))
 
 
 def physical_factor(found: list[list[Leg]], time: float) -> float:

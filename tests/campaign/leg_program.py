@@ -5,6 +5,7 @@ angle is linear in them. Bounds are demanded at many points; what is exceeded be
 the answer.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -77,26 +78,50 @@ class Leg:
 
 def least_factor(leg: Leg, time: float, space: Space) -> tuple[float, float]:
     """(lower, upper) of the least p such that p times the bounds, but for firm ones, can be held in `time`."""
-    (rows, firm), (dense, dense_firm) = (
-        _scaled(leg, time, _tables(space, fine)) for fine in _fineness(space)
+    return chain_factor((leg,), (time,), space)
+
+
+def chain_factor(legs: Sequence[Leg], times: Sequence[float], space: Space) -> tuple[float, float]:
+    """The same for legs passed at speed, each in its own time; the first begins and the last ends with its rates."""
+    coarse, fine = (
+        [_scaled(leg, time, _tables(space, n)) for leg, time in zip(legs, times, strict=True)]
+        for n in _fineness(space)
     )
-    ends = _ends(leg, time, space)
-    place = space.values(space.points(_fineness(space)[0]), 0) if leg.stay else None
+    rows = np.vstack([_placed(block, k, len(legs)) for k, (block, _) in enumerate(coarse)])
+    firm = np.concatenate([part for _, part in coarse])
+    ends = _ends(legs, times, space)
+    place = space.values(space.points(_fineness(space)[0]), 0)
+    staying = np.vstack([_placed(place, k, len(legs)) for k in range(len(legs))]) if legs[0].stay else None
     lower, upper = 0.0, np.inf
     for _ in range(ROUNDS):
-        factor, coefficients = _solve(rows, firm, *ends, place)
+        factor, coefficients = _solve(rows, firm, *ends, staying)
         if coefficients is None:
             return max(lower, np.inf if factor else lower), upper
-        used = np.abs(dense @ coefficients)
-        over = dense_firm & (used > 1 + FIRM)
+        parts = np.split(coefficients, len(legs))
+        used = [np.abs(block @ part) for (block, _), part in zip(fine, parts, strict=True)]
+        over = [hard & (u > 1 + FIRM) for (_, hard), u in zip(fine, used, strict=True)]
         lower = factor
-        if not np.any(over):
-            upper = min(upper, max(factor, float(np.max(used[~dense_firm], initial=0.0))))
+        if not any(np.any(o) for o in over):
+            upper = min(
+                upper,
+                max(
+                    factor,
+                    *(float(np.max(u[~hard], initial=0.0)) for (_, hard), u in zip(fine, used, strict=True)),
+                ),
+            )
         if upper <= lower * (1 + TIGHT):
             break
-        more = over | (~dense_firm & (used > factor * (1 + TIGHT / 2)))
-        rows, firm = np.vstack([rows, dense[more]]), np.r_[firm, dense_firm[more]]
+        for k, ((block, hard), u, o) in enumerate(zip(fine, used, over, strict=True)):
+            more = o | (~hard & (u > factor * (1 + TIGHT / 2)))
+            rows, firm = np.vstack([rows, _placed(block[more], k, len(legs))]), np.r_[firm, hard[more]]
     return lower, upper
+
+
+def _placed(block: np.ndarray, leg: int, count: int) -> np.ndarray:
+    """Rows on the coefficients of one leg of many."""
+    wide = np.zeros((len(block), count * block.shape[1]))
+    wide[:, leg * block.shape[1] : (leg + 1) * block.shape[1]] = block
+    return wide
 
 
 def _fineness(space: Space) -> tuple[int, int]:
@@ -112,15 +137,32 @@ def _scaled(leg: Leg, time: float, tables: dict[int, np.ndarray]) -> tuple[np.nd
     return np.vstack(blocks), firm
 
 
-def _ends(leg: Leg, time: float, space: Space) -> tuple[np.ndarray, np.ndarray]:
-    """Rows and values of f and its rates at both ends, each row of size one."""
-    rows, right = [space.values(np.array([0.0, 1.0]), 0)], [0.0, 1.0]
-    for place, rates in ((0.0, leg.start), (1.0, leg.end)):
-        for k, rate in enumerate(rates, 1):
-            row = space.values(np.array([place]), k)
-            size = float(np.max(np.abs(row)))
-            rows.append(row / size)
-            right.append(rate * time**k / leg.angle / size)
+def _ends(legs: Sequence[Leg], times: Sequence[float], space: Space) -> tuple[np.ndarray, np.ndarray]:
+    """Rows and values of f at the ends of each leg, and of the rates at both ends of all and where legs meet."""
+    rows, right, count = [], [], len(legs)
+    sides = {
+        place: [space.values(np.array([place]), k) for k in range(len(legs[0].start) + 1)]
+        for place in (0.0, 1.0)
+    }
+    for k in range(count):
+        rows += [_placed(sides[place][0], k, count) for place in (0.0, 1.0)]
+        right += [0.0, 1.0]
+    for order in range(1, len(legs[0].start) + 1):
+        rate = [leg.angle / time**order for leg, time in zip(legs, times, strict=True)]
+        size = [float(np.max(np.abs(sides[place][order]))) for place in (0.0, 1.0)]
+        rows += [
+            _placed(sides[0.0][order] / size[0], 0, count),
+            _placed(sides[1.0][order] / size[1], count - 1, count),
+        ]
+        right += [legs[0].start[order - 1] / rate[0] / size[0], legs[-1].end[order - 1] / rate[-1] / size[1]]
+        for k in range(count - 1):
+            whole = size[1] * rate[k] + size[0] * rate[k + 1]
+            left, after = (
+                _placed(sides[1.0][order] * rate[k], k, count),
+                _placed(sides[0.0][order] * rate[k + 1], k + 1, count),
+            )
+            rows.append((left - after) / whole)
+            right.append(0.0)
     return np.vstack(rows), np.array(right)
 
 

@@ -69,6 +69,8 @@ def summarise(records: list[dict]) -> str:
     if designed:
         worst = max(designed, key=lambda record: record["jump"])
         lines += ["", f"largest jump: {worst['jump']:.3g} of the limit of its order, case {worst['case']}"]
+        worst = max(designed, key=lambda record: record.get("beyond", 0.0))
+        lines += [f"furthest beyond an arc: {worst.get('beyond', 0.0):.3g} of the leg, case {worst['case']}"]
     lines += ["", "slowest, in s of CPU time (designing alone):"]
     for record in sorted(records, key=lambda record: -record["seconds"])[:SLOWEST]:
         lines.append(
