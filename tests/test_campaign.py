@@ -155,6 +155,18 @@ def test_a_linear_program_of_splines_comes_down_to_the_double_s():
     assert upper == pytest.approx(1.0, abs=1e-5)
 
 
+def test_two_legs_in_their_halves_of_the_time_do_no_worse_than_one():
+    rest = (0.0, 0.0)
+    bounds = ((1, 1.0), (2, 2.0), (3, 10.0))
+    space = leg_program.Space(7)
+    one = leg_program.least_factor(leg_program.Leg(2.0, bounds, rest, rest), 3.0, space)
+    half = leg_program.Leg(1.0, bounds, rest, rest)
+    both = leg_program.chain_factor([half, half], [1.5, 1.5], space)
+    stopping = leg_program.least_factor(half, 1.5, space)
+    assert both[1] <= one[0] * (1 + 1e-5)
+    assert both[1] < stopping[0]
+
+
 def test_a_steady_turn_needs_all_of_its_firm_limit_and_nothing_else():
     leg = leg_program.Leg(2.0, ((1, 0.5), (2, 1.0)), (0.5, 0.0), (0.5, 0.0), frozenset({1}))
     assert leg_program.least_factor(leg, 4.0, leg_program.Space(9))[1] == pytest.approx(0.0, abs=1e-6)

@@ -49,9 +49,8 @@ def judge_times(spec: Spec, legs: list[Leg]) -> Findings:
         asked = _asked(spec, here, last, spec.dwell(here, place, visits))
         if asked is None and here not in cut and not last:
             continue
-        _advance(
-            spec, found, walk, part, (since in cut, here in cut), whole=since in surely and here in surely
-        )
+        whole = not any(leg.origin in surely for leg in part[1:])
+        _advance(spec, found, walk, part, (since in cut, here in cut), whole=whole)
         part, since = [], here
         if asked is not None:
             _meet(found, walk, here, asked)
