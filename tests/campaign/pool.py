@@ -13,7 +13,7 @@ from tests.campaign.judge import HANG, TRACEBACK, Result, judge
 
 PRELOAD = ["casadi", "scipy.optimize", "scipy.interpolate", "timelaw.report", "tests.campaign.pool"]
 WALL = 20.0  # times the CPU time allowed, after which even a sleeping process is given up
-FILES_EVERY = 10  # cases of which the report and all other files are made too
+FILES_EVERY = {False: 10, True: 30}  # cases, small ones or not, of which all files are made too
 
 
 @dataclass(frozen=True)
@@ -31,7 +31,7 @@ def work(job: Job, limit: float, pipe) -> None:
     signal.signal(signal.SIGPROF, signal.SIG_DFL)
     signal.setitimer(signal.ITIMER_PROF, limit)
     case = make_case(job.seed, job.number, small=job.small)
-    pipe.send((case, judge(case.text, files=job.number % FILES_EVERY == 0)))
+    pipe.send((case, judge(case.text, files=job.number % FILES_EVERY[job.small] == 0)))
     pipe.close()
 
 
