@@ -1,0 +1,118 @@
+"""One problem text: designed, looked at from all sides, and a verdict."""
+
+import re
+import resource
+import tempfile
+import traceback
+import warnings
+from collections.abc import Iterator
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+
+from tests.campaign.answer_checks import ANSWER_CHECKS
+from tests.campaign.evidence import Evidence
+from tests.campaign.law_checks import LAW_CHECKS
+from tests.campaign.refusal import CONFIRMED, UNCONFIRMED, WRONG, judge_input_error, judge_refusal
+from tests.campaign.spec import read_spec
+from timelaw import design
+from timelaw.cli.design import list_files
+from timelaw.errors import InfeasibleError, InputError
+
+CERTIFIED, NOT_CERTIFIED, TRACEBACK, HANG = "certified", "not certified", "traceback", "hang"
+VERDICTS = (CERTIFIED, CONFIRMED, UNCONFIRMED, NOT_CERTIFIED, TRACEBACK, HANG, WRONG)
+FAILED = (NOT_CERTIFIED, TRACEBACK, HANG, WRONG)
+
+ROWS, MOST_ROWS = re.compile(r"output.rate: (\d+) rows in"), 2_000_000
+LINES = 9  # of a traceback: its end says where
+
+
+@dataclass
+class Result:
+    """The verdict on a problem, what was found, and what was measured."""
+
+    verdict: str
+    findings: list[str] = field(default_factory=list)
+    message: str = ""
+    jump: float = 0.0
+    beyond: float = 0.0
+    status: list[str] = field(default_factory=list)
+    designing: float = 0.0
+    seconds: float = 0.0
+
+    @property
+    def failed(self) -> bool:
+        """Whether the program is wrong here, as far as is known."""
+        return self.verdict in FAILED
+
+    def to_dict(self) -> dict:
+        return asdict(self)
+
+
+def cpu() -> float:
+    """Time [s] this process has used."""
+    used = resource.getrusage(resource.RUSAGE_SELF)
+    return used.ru_utime + used.ru_stime
+
+
+def judge(text: str, *, files: bool = False) -> Result:
+    """Design a problem and judge the answer; with `files` all that `timelaw design` writes is made too."""
+    begun = cpu()
+    with tempfile.TemporaryDirectory() as folder, warnings.catch_warnings(record=True) as heard:
+        warnings.simplefilter("always")
+        path = Path(folder) / "problem.yaml"
+        path.write_text(text)
+        result = _design_and_look(path, text, files=files)
+    ours = [w for w in heard if "timelaw" in w.filename.split("/")[:-1]]
+    if ours and not result.failed:
+        result.verdict = WRONG
+    result.findings += sorted({f"warning: {w.category.__name__}: {w.message}" for w in ours})
+    result.seconds = cpu() - begun
+    return result
+
+
+def _design_and_look(path: Path, text: str, *, files: bool) -> Result:
+    spec, begun = read_spec(text), cpu()
+    try:
+        done = design(path)
+        left_out = _make_files(done, path) if files else ""
+    except InfeasibleError as error:
+        return _refused(str(error), cpu() - begun, *judge_refusal(spec, str(error)))
+    except InputError as error:
+        return _refused(str(error), cpu() - begun, *judge_input_error(spec, str(error)))
+    except Exception:  # the very thing that is looked for
+        lines = traceback.format_exc().splitlines()
+        return Result(TRACEBACK, ["\n".join(lines[-LINES:])], designing=cpu() - begun)
+    took = cpu() - begun
+    evidence = Evidence(spec, done)
+    findings = [left_out] if left_out else []
+    findings += look(evidence)
+    certificate = done.optimised.certificate
+    verdict = WRONG if findings else CERTIFIED
+    if not certificate.holds:
+        verdict = NOT_CERTIFIED
+        findings = [*(f"certificate: {finding}" for finding in certificate.findings()), *findings]
+    jump = max((jump[0] for jump in evidence.jumps), default=0.0)
+    status = sorted({s.status.name for s in done.solution.solutions})
+    return Result(verdict, findings, "", float(jump), evidence.beyond, status, took)
+
+
+def _make_files(done, path: Path) -> str:
+    """What is wrong with all the files that are written; more rows than are allowed may be refused."""
+    try:
+        list_files(done, path)
+    except InputError as error:
+        rows = ROWS.search(str(error))
+        wanted = done.optimised.law.duration * done.problem.output.rate
+        if rows is None or wanted < MOST_ROWS or abs(int(rows.group(1)) - wanted) > 2:
+            return f"files: {error}"
+    return ""
+
+
+def _refused(message: str, took: float, verdict: str, why: str) -> Result:
+    return Result(verdict, [why] if why else [], message.partition(".yaml")[2] or message, designing=took)
+
+
+def look(evidence: Evidence) -> Iterator[str]:
+    """All that is wrong with a law."""
+    for check in (*LAW_CHECKS, *ANSWER_CHECKS):
+        yield from check(evidence)

@@ -1,0 +1,107 @@
+"""Each case in a process of its own, which can be killed: one that takes too long is a hang."""
+
+import multiprocessing as mp
+import os
+import signal
+import time
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from multiprocessing.connection import wait
+
+from tests.campaign.generators import Case, make_case
+from tests.campaign.judge import HANG, TRACEBACK, Result, judge
+
+PRELOAD = ["casadi", "scipy.optimize", "scipy.interpolate", "timelaw.report", "tests.campaign.pool"]
+WALL = 20.0  # times the CPU time allowed, after which even a sleeping process is given up
+FILES_EVERY = {False: 10, True: 30}  # cases, small ones or not, of which all files are made too
+
+
+@dataclass(frozen=True)
+class Job:
+    """Which case."""
+
+    seed: int
+    number: int
+    small: bool = False
+
+
+def work(job: Job, limit: float, pipe) -> None:
+    """In the process: make the case, judge it, send both; SIGPROF ends it when its CPU time is used up."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    signal.signal(signal.SIGPROF, signal.SIG_DFL)
+    signal.setitimer(signal.ITIMER_PROF, limit)
+    case = make_case(job.seed, job.number, small=job.small)
+    pipe.send((case, judge(case.text, files=job.number % FILES_EVERY[job.small] == 0)))
+    pipe.close()
+
+
+@dataclass
+class _Running:
+    job: Job
+    process: mp.process.BaseProcess
+    pipe: object
+    begun: float
+
+
+class Pool:
+    """Runs jobs, so many at once; leaving it kills what it has started."""
+
+    def __init__(self, processes: int, limit: float):
+        for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
+            os.environ[name] = "1"
+        self.context = mp.get_context("forkserver")
+        self.context.set_forkserver_preload(PRELOAD)
+        self.processes, self.limit = processes, limit
+        self.running: list[_Running] = []
+
+    def __enter__(self) -> "Pool":
+        return self
+
+    def __exit__(self, *_) -> None:
+        for one in self.running:
+            one.process.kill()
+            one.process.join()
+
+    def run(self, jobs: Iterable[Job], target=work) -> Iterator[tuple[Job, Case, Result]]:
+        """Results as they come."""
+        waiting = iter(jobs)
+        more = True
+        while more or self.running:
+            while more and len(self.running) < self.processes:
+                job = next(waiting, None)
+                more = job is not None
+                if job is not None:
+                    self.running.append(self._start(job, target))
+            wait([one.pipe for one in self.running], timeout=0.5)
+            for one in list(self.running):
+                result = self._collect(one)
+                if result is not None:
+                    self.running.remove(one)
+                    yield one.job, *result
+
+    def _start(self, job: Job, target) -> _Running:
+        here, there = self.context.Pipe(duplex=False)
+        process = self.context.Process(target=target, args=(job, self.limit, there), daemon=True)
+        process.start()
+        there.close()
+        return _Running(job, process, here, time.monotonic())
+
+    def _collect(self, one: _Running) -> tuple[Case, Result] | None:
+        """What a process has sent, or how it ended; None while it runs."""
+        late = time.monotonic() - one.begun > WALL * self.limit
+        if not one.pipe.poll() and not late:
+            return None
+        try:
+            sent = None if late else one.pipe.recv()
+        except EOFError:
+            sent = None
+        if late:
+            one.process.kill()
+        one.process.join()
+        if sent is not None:
+            return sent
+        job = one.job
+        case = make_case(job.seed, job.number, small=job.small)
+        if late or one.process.exitcode == -signal.SIGPROF:
+            return case, Result(HANG, [f"more than {self.limit:g} s of CPU time"], seconds=self.limit)
+        return case, Result(TRACEBACK, [f"the process ended with {one.process.exitcode}"])
