@@ -123,7 +123,7 @@ class Evidence:
         for segment in self.law.segments:
             for place, jump in zip(segment.breaks[1:], segment.jumps(), strict=False):
                 at = f"inside {segment.name} at {place:.9g} of it"
-                found += [(jump[k] / (self.scale[k] or 1.0), k, at) for k in orders]
+                found += [(float(np.linalg.norm(jump[k])) / (self.scale[k] or 1.0), k, at) for k in orders]
         return found
 
     def _node_jumps(self, order: int) -> list[tuple[float, int, str]]:

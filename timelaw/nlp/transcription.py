@@ -87,17 +87,31 @@ def transcribe(
     room = np.concatenate([part for leg_rooms in rooms for part in leg_rooms])
     upper = np.zeros(g.numel()) if with_peak else room
     lower = np.full(g.numel(), -np.inf) if with_peak else -upper
+    on_arcs = [] if program.elastic else _stay_on_arcs(program, legs)
+    on_arc = np.ones(sum(int(part.numel()) for part in on_arcs))
     ones = np.ones(len(times))
     bounds = {
         **_variable_bounds(program, units, sizes),
-        "lbg": np.concatenate([lower, ones]),
-        "ubg": np.concatenate([upper, ones]),
+        "lbg": np.concatenate([lower, 0 * on_arc, ones]),
+        "ubg": np.concatenate([upper, on_arc, ones]),
     }
     objective = program.objective.expression(_Terms(program, legs, float(np.mean(units)), effort_scale, peak))
-    symbols = {"x": x, "f": objective, "g": ca.vertcat(g, *times)}
+    symbols = {"x": x, "f": objective, "g": ca.vertcat(g, *on_arcs, *times)}
     coefficients = [part for leg in legs for part in (leg.left, leg.free, leg.right)]
     unpack = ca.Function("unpack", [x], [seconds, *coefficients])
     return Transcription(program, symbols, bounds, unpack, int(g.numel()))
+
+
+def _stay_on_arcs(program: Program, legs: Sequence[_Leg]) -> list[Any]:
+    """The easing of each leg between its ends, where it stays from 0 to 1.
+
+    In least time from rest to rest it does so by itself; with time to spend, a long run-up would pay.
+    """
+    found = []
+    for basis, leg in zip(program.bases, legs, strict=True):
+        tau = basis.points([1])[1:-1]
+        found.append(ca.densify(leg.apply(basis, basis.values(tau, 0))))
+    return found
 
 
 def _sizes(run: RunProblem) -> int:
