@@ -73,7 +73,11 @@ def solve_together(
     feasible = [known for known in starts if holds_limits(program, known)]
     if feasible:
         return _on_time(runs, feasible[0], budgets)
-    where = _find_hardest(program, start, given)
+    free = replace(program, on_arcs=False)
+    solution = _solve_from_any(free, [known.timings for known in starts])
+    if solution is not None:
+        return _on_time(runs, replace(solution, status=Status.BEYOND), budgets)
+    where = _find_hardest(free, start, given)
     return _on_time(runs, solve_from_peak(program, [start], where), budgets)
 
 

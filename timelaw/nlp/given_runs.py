@@ -23,16 +23,31 @@ SHOWN = 1e-5  # relative; a factor nearer to one is written with more digits
 def solve_given(problem: RunProblem) -> Solution:
     """The fastest law found that holds the limits: the solver's, or one that is known to hold them.
 
+    On the arcs, or where there is none, beyond them.
+
     Raises:
         InfeasibleError: none was found; with the least factor by which the limits would have to be larger.
     """
-    from timelaw.nlp.exchange import solve_from
-
     program = Program((problem,))
     known = min(list_known(problem), key=lambda solution: solution.duration, default=None)
     if known is not None and known.status is Status.STEADY and _is_least(problem, known):
         return known
     starts = list(list_starts(problem)) + ([(Status.SECOND_START, known.timings)] if known else [])
+    solved = _solve_from_all(program, starts, known)
+    if solved or known:
+        return min([*solved, *([known] if known else [])], key=lambda solution: solution.duration)
+    solved = _solve_from_all(replace(program, on_arcs=False), starts, None)
+    if solved:
+        return replace(solved[-1], status=Status.BEYOND)
+    return solve_from_peak(program, [start for _, start in starts], problem.where)
+
+
+def _solve_from_all(
+    program: Program, starts: Sequence[tuple[Status, Sequence[Timing]]], known: Solution | None
+) -> list[Solution]:
+    """Solutions that hold the limits, until one is optimal and no slower than the law that is known."""
+    from timelaw.nlp.exchange import solve_from
+
     solved: list[Solution] = []
     for status, start in starts:
         solution = solve_from(program, start)
@@ -40,10 +55,8 @@ def solve_given(problem: RunProblem) -> Solution:
             optimal = solution.status is Status.OPTIMAL
             solved.append(replace(solution, status=status) if optimal else solution)
             if optimal and (known is None or solution.duration <= known.duration * (1 + SAME_TIME)):
-                return solved[-1]
-    if solved or known:
-        return min([*solved, *([known] if known else [])], key=lambda solution: solution.duration)
-    return solve_from_peak(program, [start for _, start in starts], problem.where)
+                return solved[-1:]
+    return solved
 
 
 def _is_least(problem: RunProblem, solution: Solution) -> bool:
@@ -60,6 +73,9 @@ def solve_from_peak(program: Program, starts: Sequence[Sequence[Timing]], where:
     from timelaw.nlp.exchange import solve_from
 
     least = find_least_peak(program, starts)
+    if least is None or not holds_limits(program, least):
+        program = replace(program, on_arcs=False)
+        least = find_least_peak(program, starts)
     if least is None:
         raise InfeasibleError(Fault("the solver found no law; give more time or another degree", where))
     used = used_fraction(program.demands, least.timings)
@@ -69,8 +85,8 @@ def solve_from_peak(program: Program, starts: Sequence[Sequence[Timing]], where:
         raise InfeasibleError(Fault(message, where))
     solution = solve_from(program, least.timings)
     if solution is not None and holds_limits(program, solution):
-        return replace(solution, status=Status.SECOND_START)
-    return replace(least, status=Status.LEAST_PEAK)
+        return replace(solution, status=Status.SECOND_START if program.on_arcs else Status.BEYOND)
+    return replace(least, status=Status.LEAST_PEAK if program.on_arcs else Status.BEYOND)
 
 
 def find_least_peak(program: Program, starts: Sequence[Sequence[Timing]]) -> Solution | None:

@@ -51,12 +51,14 @@ class Program:
     """Runs to be solved together: an objective, and times that are given.
 
     With `weight` the objective is added to the time: T/T* + weight E/E*, T* and E* those of the start.
+    `on_arcs`: where time cannot be stretched, the body does not run beyond a node of its leg and come back.
     """
 
     runs: tuple[RunProblem, ...]
     objective: Objective = LEAST_TIME
     weight: float | None = None
     budgets: tuple[Budget, ...] = ()
+    on_arcs: bool = True
 
     @property
     def demands(self) -> tuple[Demand, ...]:

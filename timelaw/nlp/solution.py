@@ -14,6 +14,7 @@ class Status(Enum):
     CHOSEN = "the double-S profile, as chosen"
     PHYSICAL_LIMIT = "the double-S profile, which the easing contains and no law beats"
     STEADY = "a steady turn, which starts and ends as it goes on"
+    BEYOND = "no law on the arcs themselves holds the limits: the body runs beyond a node and comes back"
     SECOND_START = "solved to optimality from the second start"
     SIMPLER = "solved from the solution of a simpler easing, after other starts failed"
     GAP_LEFT = (

@@ -87,7 +87,7 @@ def transcribe(
     room = np.concatenate([part for leg_rooms in rooms for part in leg_rooms])
     upper = np.zeros(g.numel()) if with_peak else room
     lower = np.full(g.numel(), -np.inf) if with_peak else -upper
-    on_arcs = [] if program.elastic else _stay_on_arcs(program, legs)
+    on_arcs = _stay_on_arcs(program, legs) if program.on_arcs and not program.elastic else []
     on_arc = np.ones(sum(int(part.numel()) for part in on_arcs))
     ones = np.ones(len(times))
     bounds = {
