@@ -4,6 +4,8 @@ import re
 from dataclasses import replace
 from math import inf
 
+import numpy as np
+
 from tests.campaign import least, leg_program
 from tests.campaign.deadlines import Findings, judge_times
 from tests.campaign.leg_oracle import has_program, leg_factor, linear, physical_factor
@@ -14,6 +16,7 @@ from tests.campaign.times import known_legs
 CONFIRMED, UNCONFIRMED, WRONG = "refused-confirmed", "refused-unconfirmed", "wrong"
 FACTOR = re.compile(r"limits would have to be (\S+) times as large")
 EARLY = re.compile(r"(\S+) s is too early for (?:arrival at (.+?)|the end): the earliest possible is (\S+) s")
+BRAKING = re.compile(r"takes (\S+)° at least under the limits; the run there has (\S+)°")
 PLACE = re.compile(r":\d+:\d+: \S+")
 SAME = 1e-3  # of a factor
 ON_TIME = 2e-5  # of an earliest time
@@ -54,7 +57,7 @@ def judge_refusal(spec: Spec, message: str) -> tuple[str, str]:
     if not legs:
         return UNCONFIRMED, "the tour is not known to the oracles"
     if spec.moving:
-        return _judge_moving(spec, legs, factor)
+        return _judge_moving(spec, legs, factor, message)
     return _judge_times(spec, legs, factor, message)
 
 
@@ -107,7 +110,7 @@ def _wrong_factor(spec: Spec, legs: list[Leg], found: Findings, factor: float) -
     )
 
 
-def _judge_moving(spec: Spec, legs: list[Leg], factor: float | None) -> tuple[str, str]:
+def _judge_moving(spec: Spec, legs: list[Leg], factor: float | None, message: str) -> tuple[str, str]:
     """Of a motion between given rates: one leg by a linear program over all times."""
     for leg, which in ((legs[0], "start"), (legs[-1], "end")):
         rates = spec.end_rates(which)
@@ -119,9 +122,26 @@ def _judge_moving(spec: Spec, legs: list[Leg], factor: float | None) -> tuple[st
     if spec.timed or not all(leg.ceiling.whole for leg in legs):
         return UNCONFIRMED, "no program for torque or given times beside rates at the ends"
     ends = _end_runs(spec, legs)
+    if said := BRAKING.search(message):
+        return _judge_braking(ends, float(said.group(1)), float(said.group(2)))
     if any(len(run) > 1 for run, _, _ in ends):
         return UNCONFIRMED, "no program for several legs in a run"
     return _weigh(spec, has_program(spec, legs[0]), ends, factor)
+
+
+def _judge_braking(ends, needed: float, angle: float) -> tuple[str, str]:
+    """Of a motion that is said to be too fast for its run: by constant deceleration, or constant jerk to rest."""
+    for run, start, end in ends:
+        _, a, j = loosest(run)[:3]
+        fast, slow = max(start[0], end[0]), min(start[0], end[0])
+        least = [(fast**2 - slow**2) / (2 * a)]
+        if not slow and not any((*start[1:], *end[1:])):
+            time = (2 * fast / j) ** 0.5  # in which a jerk from no acceleration on takes all the speed
+            least.append(fast * time - j * time**3 / 6)
+        own = sum(leg.angle for leg in run)
+        if abs(np.degrees(own) / angle - 1) < SAME and abs(np.degrees(max(least)) / needed - 1) < SAME:
+            return (CONFIRMED, "") if max(least) > own + np.pi else (WRONG, "the run is long enough")
+    return WRONG, "no run has that angle, or needs that much"
 
 
 def _weigh(spec: Spec, exact: bool, ends, factor: float | None) -> tuple[str, str]:

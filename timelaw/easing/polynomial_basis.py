@@ -10,10 +10,13 @@ from numpy.typing import ArrayLike
 from timelaw.easing.joining import join_pieces
 from timelaw.easing.profile import Profile
 from timelaw.numerics.array import Array
-from timelaw.numerics.bernstein import basis_matrix, differentiate, elevate, hermite_matrix
+from timelaw.numerics.bernstein import basis_matrix, differentiate, elevate, hermite_matrix, split
 
 CONDITIONED_ORDER = 3  # the highest derivative that is limited depends most wildly on control points
 GRID = 8  # points per degree on which extrema are looked for
+MOST_PIECES = 16
+SAMPLES = 65  # of a rate, to know its size
+WELL_ROUNDED = 1e-11  # relative: what rounding may leave of a rate
 SIZE = 100.0  # of that derivative, typically: the quintic's third derivative peaks at 60
 
 
@@ -72,8 +75,15 @@ class PolynomialBasis:
     def easing(self, left: Array, free: Array, right: Array) -> Profile:
         """The easing with the coefficients x and exactly the derivatives g(0) and g(1) (r+1,) at its ends."""
         control = self.from_left @ left + self.from_free @ free + self.from_right @ right
-        highest = differentiate(control, self.continuity + 1)
-        return join_pieces(np.ones(1), highest[None], left, right, smooth=False)
+        pieces = [differentiate(control, self.continuity + 1)]
+        while True:
+            width = 1 / len(pieces)
+            easing = join_pieces(
+                np.full(len(pieces), width), np.array(pieces), left, right, smooth=len(pieces) > 1
+            )
+            if len(pieces) >= MOST_PIECES or _is_well_rounded(easing, self.continuity):
+                return easing
+            pieces = [half for piece in pieces for half in split(piece, 0.5)]
 
     def values(self, tau: ArrayLike, order: int) -> Array:
         """Matrix (m, d+1) that takes control points to the k-th derivative at the points τ (m,)."""
@@ -104,6 +114,19 @@ class PolynomialBasis:
             - self.from_right @ right
         )
         return np.array(self._triangle @ rest[self._inner])
+
+
+def _is_well_rounded(easing: Profile, continuity: int) -> bool:
+    """Whether the rates are known to far less than what counts as a jump.
+
+    High derivatives of high degree have control points far beyond their values, which halving brings down.
+    """
+    tau = np.linspace(0.0, 1.0, SAMPLES)
+    return all(
+        max(rate.error for rate in easing.derivative(order))
+        <= WELL_ROUNDED * float(np.max(np.abs(easing(tau, order))))
+        for order in range(1, continuity + 1)
+    )
 
 
 def _chebyshev(intervals: int) -> Array:

@@ -63,6 +63,8 @@ class QuaternionLaw:
             here = index == k
             segment = self.segments[k]
             tau = np.clip((t[here] - segment.start_time) / segment.duration, 0.0, 1.0)
+            # the last piece may be shorter than times are told apart
+            tau = np.where(t[here] >= self.times[k + 1], 1.0, tau)
             value[here] = segment(tau, order, side)
         return value
 

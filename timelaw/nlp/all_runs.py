@@ -6,7 +6,13 @@ from itertools import accumulate
 
 from timelaw.easing import Timing
 from timelaw.errors import Fault, InfeasibleError
-from timelaw.nlp.given_runs import SHOWN, find_least_peak, holds_limits, solve_from_peak, stop_at_nodes
+from timelaw.nlp.given_runs import (
+    SHOWN,
+    find_least_peak,
+    holds_limits,
+    solve_from_peak,
+    stop_at_nodes,
+)
 from timelaw.nlp.program import Program, RunProblem
 from timelaw.nlp.solution import Solution, Status, sum_durations
 from timelaw.objectives import OBJECTIVES
@@ -63,21 +69,22 @@ def solve_together(
     whole = len(budgets) == 1 and budgets[0].legs == len(least)
     if elastic and whole and sum_durations(start) <= sum_durations(least) * (1 + AT_MINIMUM):
         return Solution(start, Status.AT_MINIMUM)
-    starts = [Solution(start, Status.STRETCHED)]
+    by_runs = {sum(len(run.demands) for run in runs[:count]) for count in range(len(runs) + 1)}
+    apart = all(
+        budget.legs in by_runs for budget in budgets
+    )  # parts of one run, stretched apart, do not join
+    starts = [Solution(start, Status.STRETCHED)] if elastic and apart else []
     solution = solve_from(program, start)
     if solution is None or not holds_limits(program, solution):
-        starts += _stop_everywhere(program)
-        solution = _solve_from_any(program, [found.timings for found in starts[1:]])
+        stops = _stop_everywhere(program)
+        solution = _solve_from_any(program, [stop.timings for stop in stops])
+        starts += stops
     if solution is not None:
         return _on_time(runs, solution, budgets)
     feasible = [known for known in starts if holds_limits(program, known)]
     if feasible:
         return _on_time(runs, feasible[0], budgets)
-    free = replace(program, on_arcs=False)
-    solution = _solve_from_any(free, [known.timings for known in starts])
-    if solution is not None:
-        return _on_time(runs, replace(solution, status=Status.BEYOND), budgets)
-    where = _find_hardest(free, start, given)
+    where = _find_hardest(program, start, given)
     return _on_time(runs, solve_from_peak(program, [start], where), budgets)
 
 
@@ -105,7 +112,8 @@ def _stop_everywhere(program: Program) -> list[Solution]:
 def _find_hardest(program: Program, start: Sequence[Timing], given: Sequence[Deadline]) -> str:
     """The key of the first given time that cannot be kept together with those before it."""
     for count, deadline in enumerate(given[:-1], 1):
-        part = replace(program, budgets=tuple(d.budget for d in given[:count]))
+        budgets = tuple(known.budget for known in given[:count])
+        part = replace(program, budgets=budgets, on_arcs=False)
         peak = find_least_peak(part, [start])
         if peak is None or not holds_limits(part, peak):
             return deadline.where

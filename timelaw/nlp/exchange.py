@@ -40,20 +40,20 @@ def solve_from(program: Program, start: Sequence[Timing]) -> Solution | None:
     for rounds in range(1, ROUNDS + 1):
         rooms = list_rooms(program, points)
         transcription = transcribe(program, points, units, scale, rooms)
-        first = _start(program, timings, units)
-        outcome = solve(transcription.symbols, first, transcription.bounds, strict=not program.elastic)
+        first = _start(program, timings, units, scale)
+        outcome = solve(transcription.symbols, first, transcription.bounds, strict=program.moving)
         iterations += outcome.iterations
         if not outcome.acceptable or not np.all(np.isfinite(outcome.x)):
             return best if best is None else replace(best, status=Status.ACCEPTABLE, iterations=iterations)
         found = transcription.timings(outcome.x)
         try:
-            timings, gap = _closed(program, found, outcome)
+            timings, gap = _closed(program, found, _used(program, outcome, scale))
         except InfeasibleError:
             return best if best is None else replace(best, status=Status.ACCEPTABLE, iterations=iterations)
         status = Status.OPTIMAL if outcome.solved else Status.ACCEPTABLE
         solution = Solution(timings, status, iterations, rounds, gap, transcription.rows)
         best = _better(program, best, solution)
-        if gap <= GAP or not add_extrema(points, program, found, _used(program, outcome)):
+        if gap <= GAP or not add_extrema(points, program, found, _used(program, outcome, scale)):
             break
     if best is not None and best.status is Status.OPTIMAL and best.gap > GAP:
         return replace(best, status=Status.GAP_LEFT)
@@ -76,26 +76,25 @@ def _fitted(program: Program, timings: Sequence[Timing]) -> tuple[Timing, ...]:
     return tuple(fitted)
 
 
-def _start(program: Program, timings: Sequence[Timing], units: Array) -> Array:
+def _start(program: Program, timings: Sequence[Timing], units: Array, scale: float) -> Array:
     """Variables of the last timings, a little inside the limits where time may be stretched."""
     inside = [timing.stretched(INSIDE) for timing in timings] if program.elastic else list(timings)
-    used = used_fraction(program.demands, inside) if program.objective.scales_limits else 0.0
-    return pack(program, inside, units, INSIDE * used)
+    if not program.objective.scales_limits:
+        return pack(program, inside, units, 0.0)
+    return pack(program, inside, units, INSIDE * used_fraction(program.demands, inside) / scale)
 
 
-def _used(program: Program, outcome: Outcome) -> float:
+def _used(program: Program, outcome: Outcome, scale: float) -> float:
     """The part of the limits that the program allowed itself."""
-    return float(outcome.x[-1]) if program.objective.scales_limits else 1.0
+    return float(outcome.x[-1]) * scale if program.objective.scales_limits else 1.0
 
 
-def _closed(
-    program: Program, found: tuple[Timing, ...], outcome: Outcome
-) -> tuple[tuple[Timing, ...], float]:
+def _closed(program: Program, found: tuple[Timing, ...], allowed: float) -> tuple[tuple[Timing, ...], float]:
     """Timings after the exact stretch, where there is one, and the gap that is left."""
     if program.elastic:
         timings = _fitted(program, found)
         return timings, sum_durations(timings) / sum_durations(found) - 1
-    excess = used_fraction(program.demands, found) / _used(program, outcome) - 1
+    excess = used_fraction(program.demands, found) / allowed - 1
     return found, excess if program.objective.scales_limits else excess + GAP  # within the margin, no gap
 
 

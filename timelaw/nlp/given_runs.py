@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from math import inf
 
 import numpy as np
 
@@ -9,14 +10,17 @@ from timelaw.easing import Profile, Timing
 from timelaw.easing.family import Family
 from timelaw.easing.time_scaling import used_fraction
 from timelaw.errors import Fault, InfeasibleError
+from timelaw.least_time.braking import braking_distance
+from timelaw.least_time.constant_bounds import rate_bounds
 from timelaw.limits import Demand
 from timelaw.nlp.elastic_runs import SAME_TIME, list_starts, solve_elastic
-from timelaw.nlp.program import LEAST_PEAK, Program, RunProblem
-from timelaw.nlp.solution import Solution, Status
+from timelaw.nlp.program import FARTHEST, LEAST_PEAK, Program, RunProblem
+from timelaw.nlp.solution import Solution, Status, sum_durations
 from timelaw.requirements.given_times import find_stretch
 
 SAME_RATE = 1e-9  # relative: a run entered and left at one speed
 PACES = (1.0, 0.5, 2.0)  # of a start: a moving run may take less or more time than one from rest to rest
+LEAST_MARGIN = 1e-8  # of the limits, where a greater one leaves no room
 SHOWN = 1e-5  # relative; a factor nearer to one is written with more digits
 
 
@@ -32,13 +36,13 @@ def solve_given(problem: RunProblem) -> Solution:
     known = min(list_known(problem), key=lambda solution: solution.duration, default=None)
     if known is not None and known.status is Status.STEADY and _is_least(problem, known):
         return known
+    needed = _check_braking(problem)
     starts = list(list_starts(problem)) + ([(Status.SECOND_START, known.timings)] if known else [])
-    solved = _solve_from_all(program, starts, known)
+    if problem.run.moving:
+        starts.append((Status.SECOND_START, _pace(problem, starts[0][1])))
+    solved = _solve_from_all(program, starts, known) if needed <= problem.run.angle else []
     if solved or known:
         return min([*solved, *([known] if known else [])], key=lambda solution: solution.duration)
-    solved = _solve_from_all(replace(program, on_arcs=False), starts, None)
-    if solved:
-        return replace(solved[-1], status=Status.BEYOND)
     return solve_from_peak(program, [start for _, start in starts], problem.where)
 
 
@@ -59,6 +63,36 @@ def _solve_from_all(
     return solved
 
 
+def _check_braking(problem: RunProblem) -> float:
+    """The angle that the run needs at least between the speeds of its ends.
+
+    Raises:
+        InfeasibleError: more than it has, half a turn beyond its nodes included.
+    """
+    run = problem.run
+    if not run.moving:
+        return 0.0
+    rates = [max(bounds) for bounds in zip(*(rate_bounds(d.rows) for d in problem.demands), strict=True)]
+    jerk = inf if any((*problem.start[1:], *problem.end[1:])) or problem.family.continuity < 2 else rates[2]
+    needed = braking_distance(*run.speeds, rates[1], jerk)
+    if needed > run.angle + FARTHEST:
+        ends = "slowing down" if run.speeds[0] > run.speeds[1] else "getting as fast as that"
+        message = (
+            f"{ends} takes {np.degrees(needed):.6g}° at least under the limits; the run there has "
+            f"{np.degrees(run.angle):.6g}°, and half a turn beyond it at most"
+        )
+        raise InfeasibleError(Fault(message, problem.where))
+    return needed
+
+
+def _pace(problem: RunProblem, start: Sequence[Timing]) -> tuple[Timing, ...]:
+    """A start in the time that the run takes at the mean speed of its ends, or as it is if that is longer."""
+    mean = sum(problem.run.speeds) / 2
+    angle, time = problem.run.angle, sum_durations(start)
+    factor = min(angle / mean / time, 1.0) if mean else 1.0
+    return tuple(timing.stretched(factor) for timing in start)
+
+
 def _is_least(problem: RunProblem, solution: Solution) -> bool:
     """As fast as physics allows."""
     return solution.duration <= problem.run.limit * (1 + SAME_TIME)
@@ -67,35 +101,50 @@ def _is_least(problem: RunProblem, solution: Solution) -> bool:
 def solve_from_peak(program: Program, starts: Sequence[Sequence[Timing]], where: str) -> Solution:
     """From the law that uses the least part of the limits; that law itself where nothing better is found.
 
+    First on the arcs, with hardly any margin; then beyond them.
+
     Raises:
         InfeasibleError: the least part that was found is more than all of them.
     """
     from timelaw.nlp.exchange import solve_from
 
-    least = find_least_peak(program, starts)
-    if least is None or not holds_limits(program, least):
-        program = replace(program, on_arcs=False)
-        least = find_least_peak(program, starts)
-    if least is None:
+    used = inf
+    for tried in (replace(program, margin=LEAST_MARGIN), replace(program, on_arcs=False)):
+        least = find_least_peak(tried, starts)
+        if least is None:
+            continue
+        used = used_fraction(program.demands, least.timings)
+        if used > 1 + SHOWN:
+            continue
+        found = [solve_from(tried, start) for start in (least.timings, *starts)]
+        solved = [solution for solution in found if solution is not None and holds_limits(program, solution)]
+        if solved:
+            best = (
+                min(solved, key=lambda solution: solution.duration)
+                if program.objective.separable
+                else solved[0]
+            )
+            return replace(best, status=Status.SECOND_START if tried.on_arcs else Status.BEYOND)
+        if used <= 1:
+            return replace(least, status=Status.LEAST_PEAK if tried.on_arcs else Status.BEYOND)
+    if used == inf:
         raise InfeasibleError(Fault("the solver found no law; give more time or another degree", where))
-    used = used_fraction(program.demands, least.timings)
-    if used > 1:
-        times = f"{used:.6g}" if used > 1 + SHOWN else f"{used:.12g}"
-        message = f"{_name_given(program)} the limits would have to be {times} times as large"
-        raise InfeasibleError(Fault(message, where))
-    solution = solve_from(program, least.timings)
-    if solution is not None and holds_limits(program, solution):
-        return replace(solution, status=Status.SECOND_START if program.on_arcs else Status.BEYOND)
-    return replace(least, status=Status.LEAST_PEAK if program.on_arcs else Status.BEYOND)
+    times = f"{used:.6g}" if used > 1 + SHOWN else f"{used:.12g}"
+    message = f"{_name_given(program)} the limits would have to be {times} times as large"
+    raise InfeasibleError(Fault(message, where))
 
 
 def find_least_peak(program: Program, starts: Sequence[Sequence[Timing]]) -> Solution | None:
-    """The law that uses the least part of the limits, of all starts at several paces; None for none."""
+    """The law that uses the least part of the limits, of all starts; None where the solver finds none.
+
+    Where the times are open, at several paces.
+    """
     from timelaw.nlp.exchange import solve_from
 
     peaks = replace(program, objective=LEAST_PEAK, weight=None)
     best: tuple[float, Solution] | None = None
-    for pace in PACES:
+    open_times = not program.budgets and any(demand.duration is None for demand in program.demands)
+    for pace in PACES if open_times else PACES[:1]:
         for start in starts:
             solution = solve_from(peaks, [timing.stretched(pace) for timing in start])
             if solution is None:

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cached_property
+from math import pi
 
 from timelaw.easing.family import Basis, Family
 from timelaw.limits import Demand
@@ -9,6 +10,8 @@ from timelaw.objectives import OBJECTIVES, Objective
 from timelaw.requirements.given_times import Budget
 from timelaw.requirements.run_demand import RunDemand
 
+FARTHEST = pi  # rad: how far the body runs beyond a leg at most, where no law stays on the arcs
+MARGIN = 2e-6  # of every limit; what is left between the points, and rounding, fit into it
 LEAST_TIME, LEAST_PEAK = OBJECTIVES["time"], OBJECTIVES["peak"]
 
 
@@ -51,7 +54,8 @@ class Program:
     """Runs to be solved together: an objective, and times that are given.
 
     With `weight` the objective is added to the time: T/T* + weight E/E*, T* and E* those of the start.
-    `on_arcs`: where time cannot be stretched, the body does not run beyond a node of its leg and come back.
+    Where time cannot be stretched, a `margin` is kept from every limit, and `on_arcs` the body does not run
+    beyond a node of its leg and come back.
     """
 
     runs: tuple[RunProblem, ...]
@@ -59,6 +63,7 @@ class Program:
     weight: float | None = None
     budgets: tuple[Budget, ...] = ()
     on_arcs: bool = True
+    margin: float = MARGIN
 
     @property
     def demands(self) -> tuple[Demand, ...]:
@@ -69,6 +74,22 @@ class Program:
     def bases(self) -> tuple[Basis, ...]:
         """Bases of all legs, run after run."""
         return tuple(basis for run in self.runs for basis in run.bases)
+
+    @property
+    def moving(self) -> bool:
+        """Whether the motion begins or ends at speed."""
+        return any(run.run.moving for run in self.runs)
+
+    @property
+    def straying(self) -> list[bool]:
+        """For each leg whether the body might run beyond it: in moving runs, where legs of one have times."""
+        found: list[bool] = []
+        for run in self.runs:
+            first, last = len(found), len(found) + len(run.demands)
+            inside = any(first < budget.legs < last for budget in self.budgets)
+            fixed = last - first > 1 and any(demand.duration is not None for demand in run.demands)
+            found += [run.run.moving or inside or fixed] * (last - first)
+        return found
 
     @property
     def elastic(self) -> bool:

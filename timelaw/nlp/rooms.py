@@ -15,7 +15,6 @@ from timelaw.nlp.transcription import Points
 from timelaw.numerics.array import Array
 from timelaw.requirements.end_rates import is_at_limit
 
-MARGIN = 2e-6  # of every limit; what is left between the points, and rounding, fit into it
 NEAR = 1e-4  # of a limit: as near to it at an end, the margin grows from nothing
 GROWN = 0.1  # of the leg: where the margin is whole
 
@@ -40,7 +39,7 @@ def list_rooms(program: Program, points: Points) -> Points:
         return [[np.ones(len(tau)) for tau in rows] for rows in points]
     ends = _list_ends(program)
     return [
-        [1 - MARGIN * _grow(row, tau, around) for row, tau in zip(demand.rows, rows, strict=True)]
+        [1 - program.margin * _grow(row, tau, around) for row, tau in zip(demand.rows, rows, strict=True)]
         for demand, rows, around in zip(program.demands, points, ends, strict=True)
     ]
 

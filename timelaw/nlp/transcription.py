@@ -19,7 +19,7 @@ import numpy as np
 from timelaw.easing import Timing
 from timelaw.easing.family import Basis
 from timelaw.limits import Demand
-from timelaw.nlp.program import Program, RunProblem
+from timelaw.nlp.program import FARTHEST, Program, RunProblem
 from timelaw.numerics.array import Array
 from timelaw.objectives import EFFORTS
 
@@ -63,7 +63,10 @@ class _Leg:
 def transcribe(
     program: Program, points: Points, units: Array, effort_scale: float, rooms: Points
 ) -> Transcription:
-    """Build the program with limits demanded at the given points, `rooms` times the bounds there."""
+    """Build the program with limits demanded at the given points, `rooms` times the bounds there.
+
+    `effort_scale` is the size of the objective at the start: of an effort, or of the used part of the limits.
+    """
     demands = program.demands
     sizes = [len(demands), *(_sizes(run) for run in program.runs), 1]
     x = ca.MX.sym("x", sum(sizes))
@@ -80,38 +83,42 @@ def transcribe(
     with_peak = program.objective.scales_limits
     g = ca.vertcat(*(value for value, _ in rows))
     if with_peak:
+        unit = ca.vertcat(*(ca.repmat(ca.DM(effort_scale**root), value.numel(), 1) for value, root in rows))
         used = ca.vertcat(*(ca.repmat(peak**root, value.numel(), 1) for value, root in rows))
-        g = ca.vertcat(g - used, -g - used)
+        g = ca.vertcat(g / unit - used, -g / unit - used)
     seconds = ca.vertcat(*(leg.duration for leg in legs))
     times = [ca.sum1(seconds[: budget.legs]) / budget.time for budget in program.budgets]
     room = np.concatenate([part for leg_rooms in rooms for part in leg_rooms])
     upper = np.zeros(g.numel()) if with_peak else room
     lower = np.full(g.numel(), -np.inf) if with_peak else -upper
-    on_arcs = _stay_on_arcs(program, legs) if program.on_arcs and not program.elastic else []
-    on_arc = np.ones(sum(int(part.numel()) for part in on_arcs))
+    stay, beyond = _stay_near_arcs(program, legs)
     ones = np.ones(len(times))
     bounds = {
         **_variable_bounds(program, units, sizes),
-        "lbg": np.concatenate([lower, 0 * on_arc, ones]),
-        "ubg": np.concatenate([upper, on_arc, ones]),
+        "lbg": np.concatenate([lower, -beyond, ones]),
+        "ubg": np.concatenate([upper, 1 + beyond, ones]),
     }
     objective = program.objective.expression(_Terms(program, legs, float(np.mean(units)), effort_scale, peak))
-    symbols = {"x": x, "f": objective, "g": ca.vertcat(g, *on_arcs, *times)}
+    symbols = {"x": x, "f": objective, "g": ca.vertcat(g, *stay, *times)}
     coefficients = [part for leg in legs for part in (leg.left, leg.free, leg.right)]
     unpack = ca.Function("unpack", [x], [seconds, *coefficients])
     return Transcription(program, symbols, bounds, unpack, int(g.numel()))
 
 
-def _stay_on_arcs(program: Program, legs: Sequence[_Leg]) -> list[Any]:
-    """The easing of each leg between its ends, where it stays from 0 to 1.
+def _stay_near_arcs(program: Program, legs: Sequence[_Leg]) -> tuple[list[Any], Array]:
+    """The easing of each leg between its ends, and how far below 0 and above 1 it may be there.
 
-    In least time from rest to rest it does so by itself; with time to spend, a long run-up would pay.
+    From rest to rest it stays between by itself; where a leg has time to spend, a long run-up would pay.
     """
-    found = []
-    for basis, leg in zip(program.bases, legs, strict=True):
-        tau = basis.points([1])[1:-1]
-        found.append(ca.densify(leg.apply(basis, basis.values(tau, 0))))
-    return found
+    found, beyond = [], [np.zeros(0)]
+    for demand, basis, leg, strays in zip(
+        program.demands, program.bases, legs, program.straying, strict=True
+    ):
+        if strays:
+            tau = basis.points([1])[1:-1]
+            found.append(ca.densify(leg.apply(basis, basis.values(tau, 0))))
+            beyond.append(np.full(len(tau), 0.0 if program.on_arcs else FARTHEST / demand.angle))
+    return found, np.concatenate(beyond)
 
 
 def _sizes(run: RunProblem) -> int:

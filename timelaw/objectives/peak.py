@@ -28,9 +28,9 @@ class LeastPeak:
         """p, proved."""
         return used_fraction(demands, timings)
 
-    def scale(self, demands: Sequence[Demand], start: Sequence[Timing]) -> float:  # noqa: ARG002
-        """No effort enters."""
-        return 1.0
+    def scale(self, demands: Sequence[Demand], start: Sequence[Timing]) -> float:
+        """The part that the start uses."""
+        return used_fraction(demands, start) or 1.0
 
     def expression(self, terms: Terms) -> Any:
         """The variable p."""

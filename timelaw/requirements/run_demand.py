@@ -25,6 +25,11 @@ class RunDemand:
         return any(self.start) or any(self.end)
 
     @property
+    def angle(self) -> float:
+        """Of all its legs [rad]."""
+        return sum(demand.angle for demand in self.demands)
+
+    @property
     def speeds(self) -> tuple[float, float]:
         """φ' [rad/s] at its ends."""
         return (*self.start, 0.0)[0], (*self.end, 0.0)[0]
