@@ -14,10 +14,10 @@ import numpy as np
 from timelaw.easing import Timing
 from timelaw.easing.time_scaling import fit_to_limits, used_fraction
 from timelaw.errors import InfeasibleError
-from timelaw.nlp.extrema_search import add_extrema
+from timelaw.nlp.extrema_search import add_departures, add_extrema
 from timelaw.nlp.ipopt import Outcome, solve
 from timelaw.nlp.program import Program
-from timelaw.nlp.rooms import list_points, list_rooms
+from timelaw.nlp.rooms import list_points, list_rooms, list_stays
 from timelaw.nlp.solution import Solution, Status, sum_durations
 from timelaw.nlp.transcription import Points, pack, transcribe
 from timelaw.numerics.array import Array
@@ -33,13 +33,13 @@ def solve_from(program: Program, start: Sequence[Timing]) -> Solution | None:
     A law that no stretch of time brings within the limits counts as a failure of the solver.
     """
     units = np.array([timing.duration for timing in start])
-    points = list_points(program)
+    points, stay = list_points(program), list_stays(program)
     scale = program.objective.scale(program.demands, start)
     best: Solution | None = None
     timings, iterations = _in_basis(program, start, units), 0
     for rounds in range(1, ROUNDS + 1):
         rooms = list_rooms(program, points)
-        transcription = transcribe(program, points, units, scale, rooms)
+        transcription = transcribe(program, points, rooms, stay, units, scale)
         first = _start(program, timings, units, scale)
         outcome = solve(transcription.symbols, first, transcription.bounds, strict=program.moving)
         iterations += outcome.iterations
@@ -53,7 +53,10 @@ def solve_from(program: Program, start: Sequence[Timing]) -> Solution | None:
         status = Status.OPTIMAL if outcome.solved else Status.ACCEPTABLE
         solution = Solution(timings, status, iterations, rounds, gap, transcription.rows)
         best = _better(program, best, solution)
-        if gap <= GAP or not add_extrema(points, program, found, _used(program, outcome, scale)):
+        strayed = add_departures(stay, program, found)
+        if not strayed and (
+            gap <= GAP or not add_extrema(points, program, found, _used(program, outcome, scale))
+        ):
             break
     if best is not None and best.status is Status.OPTIMAL and best.gap > GAP:
         return replace(best, status=Status.GAP_LEFT)
@@ -63,7 +66,8 @@ def solve_from(program: Program, start: Sequence[Timing]) -> Solution | None:
 def _in_basis(program: Program, start: Sequence[Timing], units: Array) -> tuple[Timing, ...]:
     """The start as the bases can write it: a spline only comes near another curve."""
     no_points: Points = [[np.array([0.5])] * len(demand.rows) for demand in program.demands]
-    blank = transcribe(program, no_points, units, 1.0, no_points)
+    nowhere = [np.zeros(0)] * len(program.demands)
+    blank = transcribe(program, no_points, no_points, nowhere, units, 1.0)
     timings = blank.timings(pack(program, start, units, 0.0))
     return _fitted(program, timings) if program.elastic else timings
 

@@ -9,11 +9,13 @@ import numpy as np
 
 from timelaw.easing import Timing
 from timelaw.limits import Demand, Row
-from timelaw.nlp.program import Program
+from timelaw.nlp.program import FARTHEST, Program
 from timelaw.numerics.array import Array
 
 SAME_POINT = 1e-7  # in τ; nearer to a point, an extremum exceeds the bound by far less than the gap
 NEAR = 0.1  # relative; a grid value this close to the bound may hide an extremum beyond it
+DEPARTURES = np.linspace(0.0, 1.0, 1025)  # where a leg is looked at for running beyond its arc
+DEPARTED = 1e-4  # of the leg
 ZOOMS = 5  # each narrows the bracket of an extremum eightfold
 ZOOM_POINTS = np.linspace(-1.0, 1.0, 17)
 
@@ -35,6 +37,24 @@ def add_extrema(points: list[list[Array]], program: Program, timings: Sequence[T
                 if np.min(np.abs(around - top)) > SAME_POINT:
                     points[k][i] = np.union1d(points[k][i], [top, *(around + top) / 2])
                     added = True
+    return added
+
+
+def add_departures(stay: list[Array], program: Program, timings: Sequence[Timing]) -> bool:
+    """Add where a leg runs beyond its arc, or half a turn beyond that where it may; False if none does."""
+    added = False
+    for k, (demand, timing, strays) in enumerate(
+        zip(program.demands, timings, program.straying, strict=True)
+    ):
+        if not strays:
+            continue
+        beyond = 0.0 if program.on_arcs else FARTHEST / demand.angle
+        away = np.abs(timing.easing(DEPARTURES) - 0.5) - 0.5 - beyond
+        padded = np.concatenate([[-1.0], away, [-1.0]])
+        tops = (away >= padded[:-2]) & (away >= padded[2:]) & (away > DEPARTED * (1 + beyond))
+        new = np.setdiff1d(DEPARTURES[tops], stay[k])
+        if len(new):
+            stay[k], added = np.union1d(stay[k], new), True
     return added
 
 

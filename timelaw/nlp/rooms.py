@@ -33,6 +33,12 @@ def list_points(program: Program) -> Points:
     return found
 
 
+def list_stays(program: Program) -> list[Array]:
+    """Points τ of each leg where the body must be on its arc; none where it stays there by itself."""
+    legs = zip(program.bases, program.straying, strict=True)
+    return [basis.points([1])[1:-1] if strays else np.zeros(0) for basis, strays in legs]
+
+
 def list_rooms(program: Program, points: Points) -> Points:
     """The part of each bound that is used at most at each point."""
     if program.elastic:

@@ -61,11 +61,12 @@ class _Leg:
 
 
 def transcribe(
-    program: Program, points: Points, units: Array, effort_scale: float, rooms: Points
+    program: Program, points: Points, rooms: Points, stay: Sequence[Array], units: Array, effort_scale: float
 ) -> Transcription:
     """Build the program with limits demanded at the given points, `rooms` times the bounds there.
 
-    `effort_scale` is the size of the objective at the start: of an effort, or of the used part of the limits.
+    Easings are held from 0 to 1 at the points τ in `stay`. `effort_scale` is the size of the objective at the
+    start: of an effort, or of the used part of the limits.
     """
     demands = program.demands
     sizes = [len(demands), *(_sizes(run) for run in program.runs), 1]
@@ -91,7 +92,7 @@ def transcribe(
     room = np.concatenate([part for leg_rooms in rooms for part in leg_rooms])
     upper = np.zeros(g.numel()) if with_peak else room
     lower = np.full(g.numel(), -np.inf) if with_peak else -upper
-    stay, beyond = _stay_near_arcs(program, legs)
+    near, beyond = _stay_near_arcs(program, legs, stay)
     ones = np.ones(len(times))
     bounds = {
         **_variable_bounds(program, units, sizes),
@@ -99,23 +100,20 @@ def transcribe(
         "ubg": np.concatenate([upper, 1 + beyond, ones]),
     }
     objective = program.objective.expression(_Terms(program, legs, float(np.mean(units)), effort_scale, peak))
-    symbols = {"x": x, "f": objective, "g": ca.vertcat(g, *stay, *times)}
+    symbols = {"x": x, "f": objective, "g": ca.vertcat(g, *near, *times)}
     coefficients = [part for leg in legs for part in (leg.left, leg.free, leg.right)]
     unpack = ca.Function("unpack", [x], [seconds, *coefficients])
     return Transcription(program, symbols, bounds, unpack, int(g.numel()))
 
 
-def _stay_near_arcs(program: Program, legs: Sequence[_Leg]) -> tuple[list[Any], Array]:
-    """The easing of each leg between its ends, and how far below 0 and above 1 it may be there.
+def _stay_near_arcs(program: Program, legs: Sequence[_Leg], stay: Sequence[Array]) -> tuple[list[Any], Array]:
+    """The easing of each leg at the points τ in `stay`, and how far below 0 and above 1 it may be there.
 
     From rest to rest it stays between by itself; where a leg has time to spend, a long run-up would pay.
     """
     found, beyond = [], [np.zeros(0)]
-    for demand, basis, leg, strays in zip(
-        program.demands, program.bases, legs, program.straying, strict=True
-    ):
-        if strays:
-            tau = basis.points([1])[1:-1]
+    for demand, basis, leg, tau in zip(program.demands, program.bases, legs, stay, strict=True):
+        if len(tau):
             found.append(ca.densify(leg.apply(basis, basis.values(tau, 0))))
             beyond.append(np.full(len(tau), 0.0 if program.on_arcs else FARTHEST / demand.angle))
     return found, np.concatenate(beyond)
