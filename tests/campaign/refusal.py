@@ -17,6 +17,8 @@ CONFIRMED, UNCONFIRMED, WRONG = "refused-confirmed", "refused-unconfirmed", "wro
 FACTOR = re.compile(r"limits would have to be (\S+) times as large")
 EARLY = re.compile(r"(\S+) s is too early for (?:arrival at (.+?)|the end): the earliest possible is (\S+) s")
 BRAKING = re.compile(r"takes (\S+)° at least under the limits; the run there has (\S+)°")
+BROKEN = re.compile(r"nodes\.(?:start|end)\.\w+: (\S+) times as much as the limit on")
+BACKWARDS = re.compile(r"(\S+) s: the body is at .+, earlier on the tour, until (\S+) s")
 PLACE = re.compile(r":\d+:\d+: \S+")
 SAME = 1e-3  # of a factor
 ON_TIME = 2e-5  # of an earliest time
@@ -34,9 +36,27 @@ def judge_input_error(spec: Spec, message: str) -> tuple[str, str]:
     if "no limit bounds the motion of leg" in message:
         open_legs = [leg for leg in legs if min(leg.ceiling.rates[:3]) == inf]
         return (CONFIRMED, "") if open_legs else (WRONG, "every leg has a limit")
+    if BROKEN.search(message):
+        return (
+            (CONFIRMED, "")
+            if _breaks_at_an_end(spec, legs)
+            else (WRONG, "the rates at the ends are within the limits")
+        )
+    if backwards := BACKWARDS.search(message):
+        return (
+            (CONFIRMED, "") if float(backwards.group(1)) <= float(backwards.group(2)) else (WRONG, "in order")
+        )
     if "is given both as a norm and by axis" in message:
         return CONFIRMED, ""
     return UNCONFIRMED, "no oracle knows this message"
+
+
+def _breaks_at_an_end(spec: Spec, legs: list[Leg]) -> bool:
+    """Whether a rate at the start or the end is above its limit on the leg there."""
+    ends = ((legs[0], spec.end_rates("start")), (legs[-1], spec.end_rates("end")))
+    return any(
+        abs(rate) > leg.ceiling.rates[k] * (1 + 1e-12) for leg, rates in ends for k, rate in enumerate(rates)
+    )
 
 
 def judge_refusal(spec: Spec, message: str) -> tuple[str, str]:
@@ -112,11 +132,8 @@ def _wrong_factor(spec: Spec, legs: list[Leg], found: Findings, factor: float) -
 
 def _judge_moving(spec: Spec, legs: list[Leg], factor: float | None, message: str) -> tuple[str, str]:
     """Of a motion between given rates: one leg by a linear program over all times."""
-    for leg, which in ((legs[0], "start"), (legs[-1], "end")):
-        rates = spec.end_rates(which)
-        broken = [k for k, rate in enumerate(rates, 1) if abs(rate) > leg.ceiling.rates[k - 1] * (1 + 1e-12)]
-        if broken:
-            return CONFIRMED, f"rate {broken[0]} at the {which} is above its limit"
+    if _breaks_at_an_end(spec, legs):
+        return CONFIRMED, "a rate at the start or the end is above its limit"
     if _steady(spec, legs):
         return WRONG, "possible: a steady turn"
     if spec.timed or not all(leg.ceiling.whole for leg in legs):

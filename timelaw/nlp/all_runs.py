@@ -67,8 +67,9 @@ def solve_together(
     start = stretch_to(runs, least, given)
     elastic = all(run.elastic for run in runs)
     whole = len(budgets) == 1 and budgets[0].legs == len(least)
-    if elastic and whole and sum_durations(start) <= sum_durations(least) * (1 + AT_MINIMUM):
-        return Solution(start, Status.AT_MINIMUM)
+    room = sum_durations(start) / sum_durations(least) - 1
+    if whole and room <= (AT_MINIMUM if elastic else SAME_TIME):
+        return Solution(start if elastic else tuple(least), Status.AT_MINIMUM)
     by_runs = {sum(len(run.demands) for run in runs[:count]) for count in range(len(runs) + 1)}
     apart = all(
         budget.legs in by_runs for budget in budgets

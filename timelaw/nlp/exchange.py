@@ -34,9 +34,9 @@ def solve_from(program: Program, start: Sequence[Timing]) -> Solution | None:
     """
     units = np.array([timing.duration for timing in start])
     points, stay = list_points(program), list_stays(program)
-    scale = program.objective.scale(program.demands, start)
     best: Solution | None = None
     timings, iterations = _in_basis(program, start, units), 0
+    scale = program.objective.scale(program.demands, timings if program.objective.scales_limits else start)
     for rounds in range(1, ROUNDS + 1):
         rooms = list_rooms(program, points)
         transcription = transcribe(program, points, rooms, stay, units, scale)

@@ -22,6 +22,7 @@ ANG_CONFIDENCE = 6  # column of the confidence index, counted from 0; -1 where n
 CTF_COLUMNS = ("phase", "euler1", "euler2", "euler3")
 NO_ANGLES = {"rad": 4 * pi, "deg": 720.0}  # all three angles are that in a point that was not indexed
 TYPED = 1e-4  # relative: 12.566 is 4π too
+MOST_RADIANS = 4 * pi + 1e-3  # two turns, as typed; larger numbers are degrees, where nobody says otherwise
 
 
 def read_angles(path: Path, unit: str | None = None) -> tuple[Array, tuple[str, ...], int]:
@@ -41,6 +42,8 @@ def read_angles(path: Path, unit: str | None = None) -> tuple[Array, tuple[str, 
         if not indexed or all(abs(a / NO_ANGLES[writing.unit] - 1) <= TYPED for a in angles):
             continue
         wrong = find_fault(angles, writing)
+        if unit is None and usual == "rad" and max(map(abs, angles)) > MOST_RADIANS:
+            wrong = f"{max(angles, key=abs):g} rad is more than two turns; in degrees? unit: deg"
         if wrong:
             raise make_fault(wrong, path, line)
         kept.append(angles)

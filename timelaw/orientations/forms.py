@@ -5,7 +5,6 @@ All describe the body's attitude, body to world: r_world = R r_body. SciPy's rot
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from math import pi
 
 import numpy as np
 
@@ -21,7 +20,6 @@ from timelaw.problem.fields import NORM_TOLERANCE
 
 MATRIX_COLUMNS = tuple(f"r{i}{j}" for i in "123" for j in "123")
 ANGLES = ("rotation-vector", "euler")  # forms whose numbers have a unit
-MOST_RADIANS = 4 * pi + 1e-3  # two turns, as typed; larger numbers are degrees that are called radians
 HOMOGENEOUS = (12, 16)  # numbers of a matrix that holds a translation too
 UPPER_LEFT = "of a homogeneous matrix the upper left 3x3 is needed"
 
@@ -61,9 +59,6 @@ def find_fault(row: Sequence[float], writing: Writing) -> str:
     if len(row) != form.width:
         hint = f"; {UPPER_LEFT}" if form.width == 9 and len(row) in HOMOGENEOUS else ""
         return f"expected {form.name}{hint}"
-    largest = max(row, key=abs)
-    if writing.form in ANGLES and writing.unit == "rad" and abs(largest) > MOST_RADIANS:
-        return f"{largest:g} rad is more than two turns; in degrees? unit: deg"
     return form.check(np.array(row))
 
 
