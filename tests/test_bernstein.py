@@ -1,7 +1,6 @@
 """Bernstein polynomials against NumPy's power and Chebyshev series and exact fractions."""
 
 from fractions import Fraction
-from itertools import pairwise
 from math import comb
 
 import numpy as np
@@ -47,21 +46,6 @@ def test_elevation_and_splitting_leave_the_polynomial_alone(control, u):
     left, right = bern.split(control, 0.3)
     assert bern.evaluate(left, u) == pytest.approx(exact(control, 0.3 * u), abs=1e-12)
     assert bern.evaluate(right, u) == pytest.approx(exact(control, 0.3 + 0.7 * u), abs=1e-12)
-
-
-@given(control_points, st.integers(1, 3))
-def test_the_rounding_bound_covers_the_rounding(control, order):
-    bound = bern.bound_rounding(control, order)
-    computed = bern.differentiate(control, order)
-    true = [Fraction(float(c)) for c in control]
-    for _ in range(order):
-        n = len(true) - 1
-        true = [n * (b - a) for a, b in pairwise(true)] or [Fraction(0)]
-    assert all(abs(Fraction(float(c)) - t) <= Fraction(bound) for c, t in zip(computed, true, strict=True))
-
-
-def test_the_rounding_bound_is_not_trivial():
-    assert 0 < bern.bound_rounding(np.linspace(0, 1, 10) ** 2, 3) < 1e-11
 
 
 @pytest.mark.parametrize("degree", [5, 9, 31])

@@ -16,7 +16,7 @@ from timelaw.easing.joining import join_pieces
 from timelaw.easing.polynomial_basis import PolynomialBasis
 from timelaw.easing.profile import Piece
 from timelaw.easing.spline_basis import SplineBasis
-from timelaw.easing.spline_rates import differentiate_spline
+from timelaw.easing.spline_rates import expand_spline
 from timelaw.least_time.braking import braking_distance
 from timelaw.least_time.double_s import double_s_time
 
@@ -74,9 +74,36 @@ def test_the_highest_derivative_of_a_spline_is_scipys(degree, continuity):
     spline = BSpline(knots, rng.normal(size=len(knots) - degree - 1), degree)
     r = continuity + 1
     left, right = ([float(spline(end, nu=k)) for k in range(r)] for end in (0.0, 1.0))
-    rates = differentiate_spline(breaks, degree, np.array(left), spline.c[r:-r], np.array(right))
+    states, controls = expand_spline(breaks, degree, np.array(left), spline.c[r:-r], np.array(right))
+    for k in range(r):
+        wanted = spline(breaks[:-1], nu=k)
+        np.testing.assert_allclose(states[:, k], wanted, rtol=1e-8, atol=1e-8 * np.max(np.abs(wanted)))
+    assert states[0].tolist() == left
+    ends = np.nextafter(breaks, [*[2.0] * 10, 0.0])
     wanted = spline.derivative(r)
-    np.testing.assert_allclose(rates, wanted.c[: len(rates)], rtol=1e-8, atol=1e-8 * np.max(np.abs(rates)))
+    np.testing.assert_allclose(
+        controls[:, 0], wanted(breaks[:-1]), rtol=1e-7, atol=1e-8 * np.max(np.abs(controls))
+    )
+    before = np.nextafter(ends[1:], 0)
+    np.testing.assert_allclose(
+        controls[:, -1], wanted(before), rtol=1e-7, atol=1e-8 * np.max(np.abs(controls))
+    )
+
+
+def test_splines_of_continuity_4_keep_their_digits_through_a_cruise():
+    """A ramp of 1e-6 of the leg has a fourth derivative of 1e18: 1e-16 of that would be all of the slope."""
+    r = 1e-6
+    breaks = (0.0, *(r * k / 8 for k in range(1, 9)), *(1 - r * k / 8 for k in range(8, 0, -1)), 1.0)
+    basis = SplineBasis(7, breaks, 4, (1.0, 1 / r, 1 / r**2))
+    even = Profile.single([0.0, 1.0], 0)
+    rest = np.eye(5)[0]
+    easing = basis.easing(0 * rest, basis.free_of(even), rest)
+    for order in range(5):
+        rates = easing.derivative(order)
+        largest = max(rate.size for rate in rates)
+        for a, b in pairwise(rates):
+            assert a.control[-1] == pytest.approx(b.control[0], abs=1e-12 * largest)
+        assert easing.end(order) == pytest.approx(rest[order], abs=1e-12 * largest)
 
 
 @pytest.mark.parametrize("seed", range(20))

@@ -11,9 +11,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike
 
-from timelaw.easing.joining import join_pieces
-from timelaw.easing.profile import Profile
-from timelaw.easing.spline_rates import differentiate_spline
+from timelaw.easing.profile import Piece, Profile
+from timelaw.easing.spline_rates import expand_spline
 from timelaw.numerics.array import Array
 from timelaw.numerics.bernstein import basis_matrix, hermite_matrix
 
@@ -43,7 +42,10 @@ class SplineBasis:
     @cached_property
     def _bezier(self) -> Array:
         """Matrix (n (p+1), n + p): B-spline coefficients to stacked control points."""
-        return extraction_matrix(self.breaks, self.degree)
+        knots = np.concatenate([[0.0] * self.degree, self.breaks, [1.0] * self.degree])
+        count = len(self.breaks) - 1
+        rows = [_extraction(knots, self.degree + i, self.degree, count + self.degree) for i in range(count)]
+        return np.concatenate(rows)
 
     def _ends(self) -> tuple[Array, Array]:
         """First and last B-spline coefficients (r+1) from the derivatives at the ends of the leg."""
@@ -90,10 +92,8 @@ class SplineBasis:
 
     def easing(self, left: Array, free: Array, right: Array) -> Profile:
         """The easing with the coefficients x and exactly the derivatives g(0) and g(1) (r+1,) at its ends."""
-        degree = self.degree - self.continuity - 1  # of the highest derivative
-        rates = differentiate_spline(self.breaks, self.degree, left, free / self._effects, right)
-        controls = (extraction_matrix(self.breaks, degree) @ rates).reshape(-1, degree + 1)
-        return join_pieces(np.diff(self.breaks), controls, left, right, smooth=degree > 0)
+        states, controls = expand_spline(self.breaks, self.degree, left, free / self._effects, right)
+        return Profile(tuple(map(Piece, np.diff(self.breaks).tolist(), states, controls)))
 
     def values(self, tau: ArrayLike, order: int) -> Array:
         """Matrix (m, n (p+1)) that takes stacked control points to the k-th derivative at τ (m,).
@@ -147,13 +147,6 @@ class SplineBasis:
             rows.append(scale[:, None] * (matrix @ self.from_free))
             targets.append(scale * (target - matrix @ fixed))
         return np.linalg.lstsq(np.concatenate(rows), np.concatenate(targets), rcond=None)[0]
-
-
-def extraction_matrix(breaks: Sequence[float], degree: int) -> Array:
-    """Matrix (n (p+1), n + p) from the coefficients of a spline to the control points on its n intervals."""
-    knots = np.concatenate([[breaks[0]] * degree, breaks, [breaks[-1]] * degree])
-    count = len(breaks) - 1
-    return np.concatenate([_extraction(knots, degree + i, degree, count + degree) for i in range(count)])
 
 
 def _extraction(knots: Array, left: int, degree: int, count: int) -> Array:

@@ -1,26 +1,56 @@
-"""The highest derivative of a spline from its coefficients, exactly.
+"""The derivatives of a spline from its coefficients, exactly.
 
 Coefficients of f near 1 are rounded to 1e-16, and so is what is reckoned with them: differences over short
-intervals amplify it, and integrated again the error of one interval spreads over the rest of the leg. In
-fractions nothing is rounded but the result, which is then the derivative of one and the same spline.
+intervals amplify it, and integrated again what one interval is off by spreads over the rest of the leg. In
+fractions nothing is rounded but the result, which is one and the same spline in every piece.
 """
 
 from collections.abc import Sequence
 from fractions import Fraction
+from math import comb, factorial
 
 import numpy as np
 
 from timelaw.numerics.array import Array
 
 
-def differentiate_spline(
+def expand_spline(
     breaks: Sequence[float], degree: int, left: Array, inner: Array, right: Array
-) -> Array:
-    """Coefficients (n + p - r - 1,) of the (r+1)-th derivative of a spline of degree p > r.
+) -> tuple[Array, Array]:
+    """States (n, r+1) at the starts of the intervals, control points (n, p-r) of the (r+1)-th derivative.
 
-    It has the `breaks` (n+1,), and at the ends the derivatives `left` and `right` (r+1,); `inner` are the
-    n + p - 2(r+1) coefficients between those that these determine.
-    c^(k)_i = (p - k + 1) (c^(k-1)_(i+1) - c^(k-1)_i)/(t_(i+p+1) - t_(i+k)).
+    Of a spline of degree p > r on `breaks` (n+1,) with the derivatives `left` and `right` (r+1,) at its ends;
+    `inner` are the n + p - 2(r+1) coefficients between those that these determine.
+    """
+    levels = _differentiate(breaks, degree, left, inner, right)
+    points = [Fraction(b) for b in breaks]
+    order, rest = len(left), degree - len(left)
+    taylor = [rates[0] / factorial(k) for k, rates in enumerate(levels)]  # of f in powers of the time
+    states, controls = [], []
+    for i, constant in enumerate(levels[degree]):
+        taylor[degree] = constant / factorial(degree)
+        h = points[i + 1] - points[i]
+        states.append([float(taylor[k] * factorial(k)) for k in range(order)])
+        powers = [taylor[order + k] * factorial(order + k) * h**k / factorial(k) for k in range(rest + 1)]
+        controls.append(
+            [
+                float(sum(Fraction(comb(j, k), comb(rest, k)) * powers[k] for k in range(j + 1)))
+                for j in range(rest + 1)
+            ]
+        )
+        for lowest in range(degree):  # Horner's shift to the next break
+            for k in range(degree - 1, lowest - 1, -1):
+                taylor[k] += h * taylor[k + 1]
+    return np.array(states), np.array(controls)
+
+
+def _differentiate(
+    breaks: Sequence[float], degree: int, left: Array, inner: Array, right: Array
+) -> list[list[Fraction]]:
+    """Coefficients of the spline and of all its derivatives, the p-th being constants on the intervals.
+
+    c^(k)_i = (p - k + 1) (c^(k-1)_(i+1) - c^(k-1)_i)/(t_(i+p+1) - t_(i+k)); the first and the last are the
+    derivatives at the ends, from which the first and last r + 1 of the spline itself follow backwards.
     """
     points = [Fraction(b) for b in breaks]
     knots = [points[0]] * degree + points + [points[-1]] * degree
@@ -38,7 +68,8 @@ def differentiate_spline(
         for i, rate in enumerate(last):
             backward.append(backward[-1] - rate * step(level, count - level - 1 - i))
         first, last = forward, backward
-    rates = [*first, *map(Fraction, inner.tolist()), *last[::-1]]
-    for level in range(1, len(left) + 1):
-        rates = [(rates[i + 1] - rates[i]) / step(level, i) for i in range(len(rates) - 1)]
-    return np.array([float(rate) for rate in rates])
+    levels = [[*first, *map(Fraction, inner.tolist()), *last[::-1]]]
+    for level in range(1, degree + 1):
+        below = levels[-1]
+        levels.append([(below[i + 1] - below[i]) / step(level, i) for i in range(len(below) - 1)])
+    return levels

@@ -35,21 +35,6 @@ def differentiate(control: ArrayLike, order: int = 1) -> Array:
     return c
 
 
-def bound_rounding(control: Array, order: int) -> float:
-    """Bound on the rounding error of any control point of `differentiate(control, order)`.
-
-    One difference of values of size m errs by at most 2 u m (u the unit roundoff, one for the
-    difference and one for the factor) and doubles the error it is given.
-    """
-    c, error = np.asarray(control, dtype=float), 0.0
-    for _ in range(order):
-        degree = c.shape[-1] - 1
-        step = degree * np.diff(c, axis=-1) if degree else np.zeros_like(c)
-        error = degree * 2 * error + 2 * UNIT_ROUNDOFF * float(np.max(np.abs(step), initial=0.0))
-        c = step
-    return error
-
-
 @cache
 def halving_matrix(degree: int) -> Array:
     """Matrix (2(n+1), n+1): control points of both halves of a polynomial of this degree."""
