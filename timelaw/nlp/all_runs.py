@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import accumulate
+from math import inf
 
 from timelaw.easing import Timing
 from timelaw.errors import Fault, InfeasibleError
@@ -114,7 +115,7 @@ def _find_hardest(program: Program, start: Sequence[Timing], given: Sequence[Dea
     """The key of the first given time that cannot be kept together with those before it."""
     for count, deadline in enumerate(given[:-1], 1):
         budgets = tuple(known.budget for known in given[:count])
-        part = replace(program, budgets=budgets, on_arcs=False)
+        part = replace(program, budgets=budgets, beyond=inf)
         peak = find_least_peak(part, [start])
         if peak is None or not holds_limits(part, peak):
             return deadline.where

@@ -35,7 +35,8 @@ def solve_from(program: Program, start: Sequence[Timing]) -> Solution | None:
     units = np.array([timing.duration for timing in start])
     points, stay = list_points(program), list_stays(program)
     best: Solution | None = None
-    timings, iterations = _in_basis(program, start, units), 0
+    timings = begun = _in_basis(program, start, units)
+    iterations = 0
     scale = program.objective.scale(program.demands, timings if program.objective.scales_limits else start)
     for rounds in range(1, ROUNDS + 1):
         rooms = list_rooms(program, points)
@@ -43,7 +44,15 @@ def solve_from(program: Program, start: Sequence[Timing]) -> Solution | None:
         first = _start(program, timings, units, scale)
         outcome = solve(transcription.symbols, first, transcription.bounds, strict=program.moving)
         iterations += outcome.iterations
-        if not outcome.acceptable or not np.all(np.isfinite(outcome.x)):
+        if not _is_usable(outcome) and rounds > 1:  # once more from where all began
+            outcome = solve(
+                transcription.symbols,
+                _start(program, begun, units, scale),
+                transcription.bounds,
+                strict=program.moving,
+            )
+            iterations += outcome.iterations
+        if not _is_usable(outcome):
             return best if best is None else replace(best, status=Status.ACCEPTABLE, iterations=iterations)
         found = transcription.timings(outcome.x)
         try:
@@ -61,6 +70,10 @@ def solve_from(program: Program, start: Sequence[Timing]) -> Solution | None:
     if best is not None and best.status is Status.OPTIMAL and best.gap > GAP:
         return replace(best, status=Status.GAP_LEFT)
     return best
+
+
+def _is_usable(outcome: Outcome) -> bool:
+    return outcome.acceptable and bool(np.all(np.isfinite(outcome.x)))
 
 
 def _in_basis(program: Program, start: Sequence[Timing], units: Array) -> tuple[Timing, ...]:

@@ -9,7 +9,7 @@ import numpy as np
 
 from timelaw.easing import Timing
 from timelaw.limits import Demand, Row
-from timelaw.nlp.program import FARTHEST, Program
+from timelaw.nlp.program import Program
 from timelaw.numerics.array import Array
 
 SAME_POINT = 1e-7  # in τ; nearer to a point, an extremum exceeds the bound by far less than the gap
@@ -48,7 +48,7 @@ def add_departures(stay: list[Array], program: Program, timings: Sequence[Timing
     ):
         if not strays:
             continue
-        beyond = 0.0 if program.on_arcs else FARTHEST / demand.angle
+        beyond = program.beyond / demand.angle
         away = np.abs(timing.easing(DEPARTURES) - 0.5) - 0.5 - beyond
         padded = np.concatenate([[-1.0], away, [-1.0]])
         tops = (away >= padded[:-2]) & (away >= padded[2:]) & (away > DEPARTED * (1 + beyond))

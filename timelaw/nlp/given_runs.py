@@ -108,12 +108,13 @@ def solve_from_peak(program: Program, starts: Sequence[Sequence[Timing]], where:
     """
     from timelaw.nlp.exchange import solve_from
 
-    used = inf
-    for tried in (replace(program, margin=LEAST_MARGIN), replace(program, on_arcs=False)):
+    factors = []
+    for tried in (replace(program, margin=LEAST_MARGIN), replace(program, beyond=FARTHEST)):
         least = find_least_peak(tried, starts)
         if least is None:
             continue
         used = used_fraction(program.demands, least.timings)
+        factors.append(used)
         if used > 1 + SHOWN:
             continue
         found = [solve_from(tried, start) for start in (least.timings, *starts)]
@@ -124,14 +125,23 @@ def solve_from_peak(program: Program, starts: Sequence[Sequence[Timing]], where:
                 if program.objective.separable
                 else solved[0]
             )
-            return replace(best, status=Status.SECOND_START if tried.on_arcs else Status.BEYOND)
+            return replace(best, status=Status.BEYOND if tried.beyond else Status.SECOND_START)
         if used <= 1:
-            return replace(least, status=Status.LEAST_PEAK if tried.on_arcs else Status.BEYOND)
-    if used == inf:
-        raise InfeasibleError(Fault("the solver found no law; give more time or another degree", where))
+            return replace(least, status=Status.BEYOND if tried.beyond else Status.LEAST_PEAK)
+    raise InfeasibleError(_explain(program, starts, factors, where))
+
+
+def _explain(program: Program, starts: Sequence[Sequence[Timing]], factors: list[float], where: str) -> Fault:
+    """By how much the limits would have to give, however far the body ran beyond its nodes, if that helps."""
+    anywhere = find_least_peak(replace(program, beyond=inf), starts)
+    if anywhere is not None and not holds_limits(program, anywhere):
+        factors = [used_fraction(program.demands, anywhere.timings)]
+    if not factors:
+        return Fault("the solver found no law; give more time or another degree", where)
+    used = min(factors)
     times = f"{used:.6g}" if used > 1 + SHOWN else f"{used:.12g}"
     message = f"{_name_given(program)} the limits would have to be {times} times as large"
-    raise InfeasibleError(Fault(message, where))
+    return Fault(message, where)
 
 
 def find_least_peak(program: Program, starts: Sequence[Sequence[Timing]]) -> Solution | None:

@@ -1,14 +1,15 @@
 """The law that makes the objective least: runs one by one, then all together where something ties them."""
 
 from collections.abc import Sequence
+from math import inf
 
 from timelaw.easing import Timing
 from timelaw.easing.family import Family
 from timelaw.errors import Fault, InfeasibleError
 from timelaw.nlp.all_runs import list_deadlines, solve_together
 from timelaw.nlp.program import RunProblem
-from timelaw.nlp.single_runs import solve_runs
-from timelaw.nlp.solution import Timings, sum_durations
+from timelaw.nlp.single_runs import assign_solutions, solve_distinct, solve_runs
+from timelaw.nlp.solution import Solution, Timings, sum_durations
 from timelaw.objectives import OBJECTIVES
 from timelaw.problem import Problem
 from timelaw.progress import Progress
@@ -61,16 +62,42 @@ def _check_durations(requirements: Requirements, timings: Sequence[Timing]) -> N
 def _least_within(
     problem: Problem, route: Route, requirements: Requirements, progress: Progress | None
 ) -> tuple[Family, Timings]:
-    """The first family whose least time is near enough to the physical limit, or the fastest one."""
+    """The first family whose least time is near enough to the physical limit, or else the nearest.
+
+    A family is given up as soon as its first runs take more than all of them may; which one is the nearest is
+    judged by the runs that were solved.
+    """
     kind, easing = problem.easing.kind, problem.easing
-    enough = sum(run.limit for run in requirements.by_run(route)) * (1 + kind.allowed_excess(easing))
-    best: tuple[Family, Timings] | None = None
-    for family in kind.families(easing, problem.nodes.continuity):
-        least = solve_runs(list_run_problems(route, requirements, family), progress)
-        if best is None or sum_durations(least.timings) < sum_durations(best[1].timings):
-            best = family, least
-        if sum_durations(best[1].timings) <= enough:
-            break
-    if best is None:
-        raise ValueError("no family of easings was given")
-    return best
+    limit = sum(run.limit for run in requirements.by_run(route))
+    families = list(kind.families(easing, problem.nodes.continuity))
+    nearest, least_excess = families[0], inf
+    for family in families if len(families) > 1 else ():
+        runs = list_run_problems(route, requirements, family)
+        solutions, excess = _solve_within(runs, limit * kind.allowed_excess(easing), progress)
+        if solutions:
+            return family, assign_solutions(runs, solutions)
+        if excess < least_excess:
+            nearest, least_excess = family, excess
+    return nearest, solve_runs(list_run_problems(route, requirements, nearest), progress)
+
+
+def _solve_within(
+    runs: Sequence[RunProblem], allowed: float, progress: Progress | None
+) -> tuple[list[Solution], float]:
+    """Solutions of all distinct runs, none where these take more than `allowed` [s] above their limits.
+
+    And what part of the limits of those that were solved that is.
+    """
+    count: dict[tuple[object, ...], int] = {}
+    for run in runs:
+        count[run.key()] = count.get(run.key(), 0) + 1
+    distinct = {run.key(): run for run in runs}
+    solutions: list[Solution] = []
+    excess = known = 0.0
+    for (key, run), solution in zip(distinct.items(), solve_distinct(runs, progress), strict=True):
+        solutions.append(solution)
+        excess += count[key] * (solution.duration - run.run.limit)
+        known += count[key] * run.run.limit
+        if excess > allowed:
+            return [], excess / known if known else inf
+    return solutions, 0.0

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cached_property
-from math import pi
+from math import inf, pi
 
 from timelaw.easing.family import Basis, Family
 from timelaw.limits import Demand
@@ -54,15 +54,15 @@ class Program:
     """Runs to be solved together: an objective, and times that are given.
 
     With `weight` the objective is added to the time: T/T* + weight E/E*, T* and E* those of the start.
-    Where time cannot be stretched, a `margin` is kept from every limit, and `on_arcs` the body does not run
-    beyond a node of its leg and come back.
+    Where time cannot be stretched, a `margin` is kept from every limit, and the body runs at most so far
+    `beyond` a node of its leg [rad], to come back.
     """
 
     runs: tuple[RunProblem, ...]
     objective: Objective = LEAST_TIME
     weight: float | None = None
     budgets: tuple[Budget, ...] = ()
-    on_arcs: bool = True
+    beyond: float = 0.0
     margin: float = MARGIN
 
     @property
@@ -88,7 +88,8 @@ class Program:
             first, last = len(found), len(found) + len(run.demands)
             inside = any(first < budget.legs < last for budget in self.budgets)
             fixed = last - first > 1 and any(demand.duration is not None for demand in run.demands)
-            found += [run.run.moving or inside or fixed] * (last - first)
+            strays = self.beyond < inf and (run.run.moving or inside or fixed)
+            found += [strays] * (last - first)
         return found
 
     @property

@@ -19,7 +19,7 @@ import numpy as np
 from timelaw.easing import Timing
 from timelaw.easing.family import Basis
 from timelaw.limits import Demand
-from timelaw.nlp.program import FARTHEST, Program, RunProblem
+from timelaw.nlp.program import Program, RunProblem
 from timelaw.numerics.array import Array
 from timelaw.objectives import EFFORTS
 
@@ -115,7 +115,7 @@ def _stay_near_arcs(program: Program, legs: Sequence[_Leg], stay: Sequence[Array
     for demand, basis, leg, tau in zip(program.demands, program.bases, legs, stay, strict=True):
         if len(tau):
             found.append(ca.densify(leg.apply(basis, basis.values(tau, 0))))
-            beyond.append(np.full(len(tau), 0.0 if program.on_arcs else FARTHEST / demand.angle))
+            beyond.append(np.full(len(tau), program.beyond / demand.angle))
     return found, np.concatenate(beyond)
 
 
