@@ -50,6 +50,23 @@ def test_a_smoothstep_over_a_run_is_one_polynomial_cut_at_the_nodes():
             assert end == pytest.approx(b * right.easing(0.0, k) / right.duration**k, rel=1e-6)
 
 
+@pytest.mark.parametrize("continuity", [2, 3, 4])
+@pytest.mark.parametrize("seed", range(10))
+def test_tiny_legs_of_a_smoothstep_join_to_the_rounding_of_the_run(continuity, seed):
+    rng = np.random.default_rng(seed)
+    angles = tuple(float(a) for a in 10 ** rng.uniform(-6, 0.4, rng.integers(2, 9)))
+    timings = smoothstep.time_run(demands(angles, {"velocity": 1.0, "acceleration": 2.0}), continuity)
+    profiles = [timing.profile(angle) for timing, angle in zip(timings, angles, strict=True)]
+    for order in range(continuity + 1):
+        rates = [profile.derivative(order)[0].control for profile in profiles]
+        largest = max(np.max(np.abs(rate)) for rate in rates)
+        for profile, angle in zip(profiles, angles, strict=True):
+            assert profile.end(0) == pytest.approx(angle, abs=1e-14 * sum(angles))
+        for left, right in pairwise(rates if order else ()):
+            assert left[-1] == pytest.approx(right[0], abs=1e-12 * largest)
+        assert rates[-1][-1] == pytest.approx(0.0 if order else angles[-1], abs=1e-12 * largest)
+
+
 # θ [deg], limits [deg/s^k], T [s]: jerk alone ∛(32 θ/j), acceleration alone 2√(θ/a), velocity alone θ/w;
 # 120° at 60, 120, 600: ramps of 0.2 + 0.5 s, 2 s of cruise less one ramp; and so on.
 PROFILES = [

@@ -8,13 +8,14 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from timelaw.easing.profile import Profile
+from timelaw.easing.profile import Piece, Profile
 from timelaw.easing.time_scaling import fit_to_limits
 from timelaw.easing.timing import Timing
 from timelaw.limits import Demand
 from timelaw.numerics.array import Array
 from timelaw.numerics.bernstein import evaluate, split
 
+MIDDLE = 0.5
 BISECTIONS = 60  # halvings of [0, 1]: the last bit of a double
 
 
@@ -35,29 +36,31 @@ def time_leg(demand: Demand, continuity: int) -> Timing:
 def time_run(demands: Sequence[Demand], continuity: int) -> tuple[Timing, ...]:
     """One smoothstep over a whole run, in its least time, cut at the nodes it passes.
 
-    The slope is cut, whose control points are all positive, so that a leg which is a tiny part of
-    the run keeps its digits.
+    Each leg begins with the rates of the whole there, so that those of a leg that is a tiny part of the run are
+    as exact as the run's.
     """
-    slope = np.diff(control_points(continuity))
-    left = float(sum(demand.angle for demand in demands))
-    duration = 1.0
-    timings: list[Timing] = []
-    for demand in demands[:-1]:
-        share = _solve_monotone(_integrated(slope), demand.angle / left)
-        piece, slope = split(slope, share)
-        timings.append(Timing(duration * share, Profile.single(_integrated(piece), continuity)))
-        duration *= 1 - share
-        left -= demand.angle
-    return fit_to_limits(
-        demands, [*timings, Timing(duration, Profile.single(_integrated(slope), continuity))]
-    )
+    whole = Profile.single(control_points(continuity), continuity)
+    rates = [whole.derivative(order)[0].control for order in range(continuity + 2)]
+    cuts = _cut([demand.angle for demand in demands], rates[0])
+    total = sum(demand.angle for demand in demands)
+    timings = []
+    for demand, (start, left), (end, still) in zip(demands, cuts, cuts[1:], strict=False):
+        width = end - start if start < MIDDLE else left - still
+        highest = split(split(rates[-1], start)[1], width / left)[0]
+        state = np.array([0.0, *(float(evaluate(rate, start)) for rate in rates[1:-1])])
+        part = Profile((Piece(width, state, highest),))
+        timings.append(Timing(width, part.scaled(total / demand.angle, 1 / width)))
+    return fit_to_limits(demands, timings)
 
 
-def _integrated(slope: Array) -> Array:
-    """Control points from exactly 0 to exactly 1 of the integral of a slope, scaled."""
-    control = np.concatenate([[0.0], np.cumsum(slope)]) / np.sum(slope)
-    control[-1] = 1.0
-    return control
+def _cut(angles: Sequence[float], control: Array) -> list[tuple[float, float]]:
+    """(u, 1 - u) of a smoothstep where it has travelled so far, each exact near its end: it is symmetric."""
+    total, cuts = sum(angles), [(0.0, 1.0)]
+    for count in range(1, len(angles)):
+        before, after = sum(angles[:count]), sum(angles[count:])
+        near = _solve_monotone(control, min(before, after) / total)
+        cuts.append((near, 1 - near) if before <= after else (1 - near, near))
+    return [*cuts, (1.0, 0.0)]
 
 
 def _solve_monotone(control: Array, value: float) -> float:
