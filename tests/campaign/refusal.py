@@ -175,7 +175,8 @@ def _weigh(spec: Spec, exact: bool, ends, factor: float | None) -> tuple[str, st
         return WRONG, "possible: " + says
     broken = [low for _, low, _ in free if low > (1 + 1e-6 if exact else RICH)]
     least_of, most = min(broken, default=0.0), max(high for _, _, high in staying)
-    if factor is not None and exact and broken and not least_of * (1 - SAME) <= factor <= most * (1 + SAME):
+    known = exact and bool(broken) and least_of < inf  # without end where a firm bound leaves no room at all
+    if factor is not None and known and not least_of * (1 - SAME) <= factor <= most * (1 + SAME):
         return WRONG, f"a factor of {factor}; {says}"
     return (CONFIRMED, says) if broken else (UNCONFIRMED, says)
 

@@ -36,8 +36,8 @@ def time_leg(demand: Demand, continuity: int) -> Timing:
 def time_run(demands: Sequence[Demand], continuity: int) -> tuple[Timing, ...]:
     """One smoothstep over a whole run, in its least time, cut at the nodes it passes.
 
-    Each leg begins with the rates of the whole there, so that those of a leg that is a tiny part of the run are
-    as exact as the run's.
+    Each leg begins with the rates of the whole there, so that a leg which is a tiny part of the run joins as
+    exactly as any.
     """
     whole = Profile.single(control_points(continuity), continuity)
     rates = [whole.derivative(order)[0].control for order in range(continuity + 2)]
