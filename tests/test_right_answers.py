@@ -85,6 +85,22 @@ def test_splines_of_continuity_4_under_limits_far_apart(tmp_path, degree, interv
     proved(tmp_path, "{orientations: {list: [[1,0,0,0],[.5,.5,.5,.5]]}}", limits, easing, 4)
 
 
+@pytest.mark.parametrize("tiny", [1.0, 0.1, 0.01, 0.002])
+@pytest.mark.parametrize(
+    ("easing", "continuity", "within"),
+    [
+        (SPLINE_4, 2, 1e-4),
+        ("{basis: spline, degree: 5, intervals: 70}", 3, 2e-3),
+        ("{basis: polynomial}", 2, 0.05),
+    ],
+)
+def test_a_tiny_leg_in_a_run_costs_nothing(tmp_path, tiny, easing, continuity, within):
+    """60° + tiny + 50° in one run: as fast as 110° and a little in two legs."""
+    done = proved(tmp_path, turns(0, 60, 60 + tiny, 110 + tiny), ROBOT, easing, continuity)
+    limit = (110 + tiny) / 60 + 0.7
+    assert done.optimised.law.duration == pytest.approx(limit, rel=within)
+
+
 def test_phases_of_any_length_are_written_exactly(tmp_path):
     """A jerk phase of 1e-9 of the leg: constant jerk on seven durations, no least length of a phase."""
     limits = "{velocity: 1 rad/s, acceleration: 1 rad/s^2, jerk: 1e8 rad/s^3}"

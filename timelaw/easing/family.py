@@ -19,7 +19,8 @@ from timelaw.numerics.array import Array
 Basis = PolynomialBasis | SplineBasis
 
 SHORTEST_PHASE = 2e-5  # of the run: in control points of the whole easing the jerk of shorter ones drowns
-JERK_RESOLUTION = 3e-6  # relative rounding of the third derivative that an interval may cost
+RESOLUTION = 3e-6  # relative rounding of a rate that an interval may cost
+SIZED = (1, 2, 3)  # orders of the rates by which a spline is scaled
 PROFILE_DEGREE = 3  # of the double-S profile, which is C2 inside
 
 
@@ -116,17 +117,31 @@ class SplineFamily:
     def bases(self, demands: Sequence[Demand]) -> tuple[Basis, ...]:
         """Breaks from the profile over the run, cut at its nodes."""
         angles = [demand.angle for demand in demands]
-        profile = cut_double_s(angles, *choose_bounds(demands), SHORTEST_PHASE)
-        return tuple(self._basis(timing) for timing in profile)
+        timings = cut_double_s(angles, *choose_bounds(demands), SHORTEST_PHASE)
+        peaks = [_peak(angles, timings, order) for order in SIZED]
+        return tuple(
+            self._basis(
+                timing, [peak * timing.duration**k / angle for k, peak in zip(SIZED, peaks, strict=True)]
+            )
+            for timing, angle in zip(timings, angles, strict=True)
+        )
 
-    def _basis(self, timing: Timing) -> SplineBasis:
-        first, second, third = (max(1.0, *(p.size for p in timing.easing.derivative(k))) for k in (1, 2, 3))
-        least = (50 * np.finfo(float).eps / JERK_RESOLUTION / third) ** (1 / 3)
+    def _basis(self, timing: Timing, peaks: Sequence[float]) -> SplineBasis:
+        """On the phases of a leg, `peaks` being the largest rates of the run as derivatives of its easing.
+
+        A leg that is a tiny part of the run has but little of the run's jerk to resolve: fewer intervals.
+        """
+        first, second, third = (peak or 1.0 for peak in peaks)
+        least = (50 * np.finfo(float).eps / RESOLUTION / third) ** (1 / 3)
+        least = max(least, (8 * np.finfo(float).eps / RESOLUTION / second) ** (1 / 2))
         breaks = merge_breaks(timing.easing.breaks.tolist(), least)
         if self.continuity > 3:
             fourth = third / float(np.min(np.diff(breaks)))
-            least = max(least, (400 * np.finfo(float).eps / JERK_RESOLUTION / fourth) ** (1 / 4))
+            least = max(least, (400 * np.finfo(float).eps / RESOLUTION / fourth) ** (1 / 4))
         divided = divide_breaks(breaks, self.intervals, least)
+        fewest = max(1, 2 * (self.continuity + 1) - self.degree)  # of fewer, the ends take all coefficients
+        if len(divided) <= fewest:
+            divided = tuple(np.linspace(0.0, 1.0, fewest + 1).tolist())
         return SplineBasis(self.degree, divided, self.continuity, (first, second, third))
 
     def closed_form(self, demands: Sequence[Demand]) -> tuple[Timing, ...]:
@@ -177,6 +192,15 @@ class DoubleSFamily:
     def simpler(self) -> Family | None:
         """There is one profile."""
         return None
+
+
+def _peak(angles: Sequence[float], timings: Sequence[Timing], order: int) -> float:
+    """The largest rate [rad/s^k] over all legs of a run."""
+    return max(
+        rate.size
+        for angle, timing in zip(angles, timings, strict=True)
+        for rate in timing.rates(angle, order)
+    )
 
 
 def merge_breaks(breaks: Sequence[float], least: float) -> list[float]:
