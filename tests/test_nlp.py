@@ -96,7 +96,10 @@ def test_any_limits_may_be_left_out(given, continuity):
     assert lower * (1 - LP_AGREEMENT) <= solution.duration <= upper * (1 + LP_AGREEMENT)
 
 
-@pytest.mark.parametrize(("first", "second", "degree"), [(120, 120, 9), (120, 60, 9), (30, 100, 7)])
+@pytest.mark.parametrize(
+    ("first", "second", "degree"),
+    [(120, 60, 9), (30, 100, 7), pytest.param(120, 120, 9, marks=pytest.mark.campaign)],
+)
 def test_pairs_of_legs_equal_the_linear_program_over_all_shares_of_time(first, second, degree):
     """For given shares of the total time the pair is a linear program; the best share is searched."""
     angles = (first * DEG, second * DEG)

@@ -65,7 +65,10 @@ def test_a_ring_is_one_run_from_anywhere(spec):
 PART = np.sort(np.random.default_rng(0).permutation(60)[:36])
 
 
-@pytest.mark.parametrize("spec", ["", ", closed: true", ", start: 3, end: 17"])
+@pytest.mark.parametrize(
+    "spec",
+    [", start: 3, end: 17", *(pytest.param(s, marks=pytest.mark.campaign) for s in ("", ", closed: true"))],
+)
 def test_a_part_of_the_600_cell(spec):
     q = make_lattice("600-cell")[PART]
     straight, merits = made(q, f"tour: fewest-stops{spec}")

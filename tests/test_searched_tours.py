@@ -83,8 +83,14 @@ def test_the_search_leaves_no_mark_on_the_costs_and_visits_all():
 BEST_KNOWN = json.loads((Path(__file__).parent / "data" / "best_known_tours.json").read_text())
 
 
-@pytest.mark.parametrize("closed", [False, True], ids=["open", "closed"])
-@pytest.mark.parametrize("count", [100, 300, 1000])
+@pytest.mark.parametrize(
+    ("count", "closed"),
+    [
+        *((count, closed) for count in (100, 300) for closed in (False, True)),
+        (1000, False),
+        pytest.param(1000, True, marks=pytest.mark.campaign),
+    ],
+)
 def test_random_sets_against_the_best_tours_known(count, closed):
     """Within 1 % of the best known; the gap that is reported is not smaller than the true one.
 
