@@ -328,3 +328,18 @@ def _least(q):
         middle = (low + high) / 2
         low, high = (low, middle) if fit_circle(q, middle) is not None else (middle, high)
     return high
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_exact_steps_of_any_size_about_any_axis_are_straight(seed):
+    """Also where the plane's two singular values are nearly equal, as for steps of 120°."""
+    rng = np.random.default_rng(seed)
+    for _ in range(200):
+        step = (
+            float(rng.choice([2 * np.pi / 3, np.pi / 2, rng.uniform(1e-3, 3.0)])) + rng.uniform(-1, 1) * 1e-3
+        )
+        axis = rng.normal(size=3)
+        angles = [0.0, *[step] * rng.integers(2, 5)]
+        q = go_on(np.array([1.0, 0, 0, 0]), axis / np.linalg.norm(axis), angles)
+        _, found = lay(q)
+        assert corners(found) == []

@@ -61,8 +61,12 @@ def fit_circle(points: Array, within: float) -> GreatCircle | None:
     most = np.sin(within / 2)
     weights = np.full(len(points), 1 / len(points))
     for _ in range(ROUNDS):
-        _, _, rows = np.linalg.svd(np.sqrt(weights)[:, None] * points, full_matrices=False)
-        circle = GreatCircle(rows[0], rows[1])
+        weighted = np.sqrt(weights)[:, None] * points
+        rows = np.linalg.svd(weighted, full_matrices=False)[2][:2]
+        # of nearly equal singular values the plane is tens of roundings off; after a power step it is not
+        plane, scale = np.linalg.qr(weighted.T @ (weighted @ rows.T))
+        plane = plane * np.sign(np.diag(scale))
+        circle = GreatCircle(plane[:, 0], plane[:, 1])
         far = circle.offsets(points)
         if np.max(far) <= most:
             return circle
