@@ -19,7 +19,7 @@ from timelaw.nlp.solution import Solution, Status, sum_durations
 from timelaw.objectives import OBJECTIVES
 from timelaw.problem.objective import Goal
 from timelaw.requirements import Requirements
-from timelaw.requirements.given_times import SAME_TIME, Budget, find_stretch, list_budgets, meet_budgets
+from timelaw.requirements.given_times import LAST_DIGIT, Budget, find_stretch, list_budgets, meet_budgets
 from timelaw.route import Route
 
 LEAST_FACTOR = 0.2  # of the least-time law; a start far beyond the limits helps nobody
@@ -69,7 +69,7 @@ def solve_together(
     elastic = all(run.elastic for run in runs)
     whole = len(budgets) == 1 and budgets[0].legs == len(least)
     room = sum_durations(start) / sum_durations(least) - 1
-    if whole and room <= (AT_MINIMUM if elastic else SAME_TIME):
+    if whole and room <= (AT_MINIMUM if elastic else LAST_DIGIT):
         return Solution(start if elastic else tuple(least), Status.AT_MINIMUM)
     by_runs = {sum(len(run.demands) for run in runs[:count]) for count in range(len(runs) + 1)}
     apart = all(
@@ -143,7 +143,7 @@ def stretch_to(
             raise InfeasibleError(Fault(message, deadline.where))
         waiting += needed
         if deadline.budget.legs in boundaries:
-            if deadline.budget.time - since < waiting * (1 - SAME_TIME):
+            if deadline.budget.time - since < waiting * (1 - LAST_DIGIT):
                 raise InfeasibleError(_too_early(deadline, since + waiting + deadline.dwells))
             since, waiting = deadline.budget.time, 0.0
         factor = max(find_stretch(left, needed), LEAST_FACTOR)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from timelaw.easing import Timing
 from timelaw.requirements.requirements import Requirements
 
-SAME_TIME = 1e-11  # relative; a least time that is given to its last digit is not undercut
+LAST_DIGIT = 1e-11  # relative; a least time that is given to its last digit is not undercut
 
 
 @dataclass(frozen=True)
@@ -20,7 +20,7 @@ class Budget:
 def find_stretch(time: float, needed: float) -> float:
     """The factor from one time to another; 1 where what is given is what is needed but for rounding."""
     factor = time / needed
-    return 1.0 if 1 - SAME_TIME <= factor < 1 else factor
+    return 1.0 if 1 - LAST_DIGIT <= factor < 1 else factor
 
 
 def list_budgets(requirements: Requirements, total: float | None = None) -> list[Budget]:
