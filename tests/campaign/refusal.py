@@ -17,6 +17,7 @@ CONFIRMED, UNCONFIRMED, WRONG = "refused-confirmed", "refused-unconfirmed", "wro
 FACTOR = re.compile(r"limits would have to be (\S+) times as large")
 EARLY = re.compile(r"(\S+) s is too early for (?:arrival at (.+?)|the end): the earliest possible is (\S+) s")
 BRAKING = re.compile(r"takes (\S+)° at least under the limits; the run there has (\S+)°")
+REACHED = re.compile(r"nodes\.(start|end)\.\w+: under .* (?:goes on to|has come from) (\S+) .* at least")
 BROKEN = re.compile(r"nodes\.(?:start|end)\.\w+: (\S+) times as much as the limit on")
 BACKWARDS = re.compile(r"(\S+) s: the body is at .+, earlier on the tour, until (\S+) s")
 PLACE = re.compile(r":\d+:\d+: \S+")
@@ -139,11 +140,28 @@ def _judge_moving(spec: Spec, legs: list[Leg], factor: float | None, message: st
     if spec.timed or not all(leg.ceiling.whole for leg in legs):
         return UNCONFIRMED, "no program for torque or given times beside rates at the ends"
     ends = _end_runs(spec, legs)
+    if said := REACHED.search(message):
+        return _judge_reached(ends, said.group(1), float(said.group(2)))
     if said := BRAKING.search(message):
         return _judge_braking(ends, float(said.group(1)), float(said.group(2)))
     if any(len(run) > 1 for run, _, _ in ends):
         return UNCONFIRMED, "no program for several legs in a run"
     return _weigh(spec, has_program(spec, legs[0]), ends, factor)
+
+
+def _judge_reached(ends, end: str, top: float) -> tuple[str, str]:
+    """Of rates at an end that are said to carry the body beyond a limit: by constant jerk (or snap) to none."""
+    run, start, finish = ends[0 if end == "start" else -1]
+    rates, sign = (start, 1) if end == "start" else (finish, -1)
+    bounds = loosest(run)
+    for k in range(len(rates) - 1):
+        if k + 2 < len(bounds) and bounds[k + 2] < inf:
+            time = abs(rates[k + 1]) / bounds[k + 2]
+            reached = np.degrees(abs(rates[k] + sign * rates[k + 1] * time / 2))
+            if abs(reached / top - 1) < SAME:
+                wrong = reached <= np.degrees(bounds[k])
+                return (WRONG, "the rates there leave room") if wrong else (CONFIRMED, "")
+    return WRONG, "no rate there goes so far"
 
 
 def _judge_braking(ends, needed: float, angle: float) -> tuple[str, str]:

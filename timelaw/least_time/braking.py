@@ -1,5 +1,6 @@
-"""How far a body turns at least before it is slow enough: what a run that is entered at speed needs."""
+"""What a run that is entered at speed needs at least: angle to get slow in, room below its limits."""
 
+from collections.abc import Iterator, Sequence
 from math import inf, sqrt
 
 
@@ -14,3 +15,19 @@ def braking_distance(start: float, end: float, a: float, j: float) -> float:
     if j < inf and slow == 0:
         needed = max(needed, 2 * fast * sqrt(2 * fast / j) / 3)
     return needed
+
+
+def list_reached(
+    rates: Sequence[float], bounds: Sequence[float], continuity: int, *, backwards: bool
+) -> Iterator[tuple[int, float]]:
+    """(k, r_k + r_(k+1) |r_(k+1)| / 2b): how far each rate r_k goes on at least that has r_(k+1) beside it.
+
+    With b the bound on r_(k+2): r_(k+1) is taken back to nothing at that rate at most, which takes
+    r_(k+1)/b. Of an end of the motion, `backwards` in time, r_(k+1) has the other sign. Only where r_(k+1)
+    does not jump: in class C^(k+1).
+    """
+    for k in range(1, min(len(rates), continuity, len(bounds) - 1)):
+        rate, rising, bound = rates[k - 1], rates[k], bounds[k + 1]
+        if bound < inf:
+            rising = -rising if backwards else rising
+            yield k, rate + rising * abs(rising) / (2 * bound)

@@ -22,6 +22,7 @@ from timelaw.requirements import Requirements
 from timelaw.requirements.given_times import LAST_DIGIT, Budget, find_stretch, list_budgets, meet_budgets
 from timelaw.route import Route
 
+SAME_START = 1e-9  # relative, of a duration: from there the solver goes the same way
 LEAST_FACTOR = 0.2  # of the least-time law; a start far beyond the limits helps nobody
 AT_MINIMUM = 1e-5  # relative; so close to the least time there is no room but for the least-time law
 
@@ -79,7 +80,8 @@ def solve_together(
     solution = solve_from(program, start)
     if solution is None or not holds_limits(program, solution):
         stops = _stop_everywhere(program)
-        solution = _solve_from_any(program, [stop.timings for stop in stops])
+        others = [stop.timings for stop in stops if not _same(stop.timings, start)]
+        solution = _solve_from_any(program, others)
         starts += stops
     if solution is not None:
         return _on_time(runs, solution, budgets)
@@ -88,6 +90,34 @@ def solve_together(
         return _on_time(runs, feasible[0], budgets)
     where = _find_hardest(program, start, given)
     return _on_time(runs, solve_from_peak(program, [start], where), budgets)
+
+
+def solve_weighed(runs: Sequence[RunProblem], least: Sequence[Timing], goal: Goal) -> list[Solution]:
+    """Solutions of the distinct runs for T/T* + w E/E*, which is a sum over the runs.
+
+    Of a run by itself, whose least-time law takes T*ᵢ and Eᵢ*, the weight is w (Eᵢ*/E*)(T*/T*ᵢ).
+    """
+    effort = OBJECTIVES[goal.minimise]
+    demands = [demand for run in runs for demand in run.demands]
+    time, size = sum_durations(least), effort.scale(demands, least) or 1.0
+    solutions: dict[tuple[object, ...], Solution] = {}
+    passed = 0
+    for run in runs:
+        own = least[passed : passed + len(run.demands)]
+        passed += len(own)
+        if run.key() not in solutions:
+            share = (effort.scale(run.demands, own) or 1.0) / size * time / sum_durations(own)
+            weighed = goal.model_copy(update={"weight": (goal.weight or 0.0) * share})
+            solutions[run.key()] = solve_together([run], own, weighed, [])
+    return list(solutions.values())
+
+
+def _same(some: Sequence[Timing], others: Sequence[Timing]) -> bool:
+    """Whether two starts are one."""
+    return all(
+        abs(a.duration - b.duration) < SAME_START * b.duration and a.easing.key() == b.easing.key()
+        for a, b in zip(some, others, strict=True)
+    )
 
 
 def _solve_from_any(program: Program, starts: Sequence[Sequence[Timing]]) -> Solution | None:

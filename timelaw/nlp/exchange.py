@@ -14,6 +14,7 @@ import numpy as np
 from timelaw.easing import Timing
 from timelaw.easing.time_scaling import fit_to_limits, used_fraction
 from timelaw.errors import InfeasibleError
+from timelaw.nlp.alike_runs import merge_alike
 from timelaw.nlp.extrema_search import add_departures, add_extrema
 from timelaw.nlp.ipopt import Outcome, solve
 from timelaw.nlp.program import Program
@@ -30,14 +31,23 @@ INSIDE = 1.01  # a start on the limits themselves costs an interior-point method
 def solve_from(program: Program, start: Sequence[Timing]) -> Solution | None:
     """Solve a program from given timings; None where the solver fails before it has any solution.
 
-    A law that no stretch of time brings within the limits counts as a failure of the solver.
+    A law that no stretch of time brings within the limits counts as a failure of the solver. Alike runs
+    are solved as one.
     """
+    alike = merge_alike(program)
+    solution = _exchange(alike.program, alike.pick(start))
+    return None if solution is None else replace(solution, timings=alike.spread(solution.timings))
+
+
+def _exchange(program: Program, start: Sequence[Timing]) -> Solution | None:
+    """Solve, demand the limits where they are broken, and solve again."""
     units = np.array([timing.duration for timing in start])
     points, stay = list_points(program), list_stays(program)
     best: Solution | None = None
     timings = begun = _in_basis(program, start, units)
     iterations = 0
-    scale = program.objective.scale(program.demands, timings if program.objective.scales_limits else start)
+    of = timings if program.objective.scales_limits else start
+    scale = program.objective.scale(program.repeat(program.demands), program.repeat(of))
     for rounds in range(1, ROUNDS + 1):
         rooms = list_rooms(program, points)
         transcription = transcribe(program, points, rooms, stay, units, scale)

@@ -10,10 +10,9 @@ from timelaw.easing import Profile, Timing
 from timelaw.easing.family import Family
 from timelaw.easing.time_scaling import used_fraction
 from timelaw.errors import Fault, InfeasibleError
-from timelaw.least_time.braking import braking_distance
-from timelaw.least_time.constant_bounds import rate_bounds
 from timelaw.limits import Demand
 from timelaw.nlp.elastic_runs import SAME_TIME, list_starts, solve_elastic
+from timelaw.nlp.end_checks import check_ends
 from timelaw.nlp.program import FARTHEST, LEAST_PEAK, Program, RunProblem
 from timelaw.nlp.solution import Solution, Status, sum_durations
 from timelaw.requirements.given_times import find_stretch
@@ -36,7 +35,7 @@ def solve_given(problem: RunProblem) -> Solution:
     known = min(list_known(problem), key=lambda solution: solution.duration, default=None)
     if known is not None and known.status is Status.STEADY and _is_least(problem, known):
         return known
-    needed = _check_braking(problem)
+    needed = check_ends(problem)
     starts = list(list_starts(problem)) + ([(Status.SECOND_START, known.timings)] if known else [])
     if problem.run.moving:
         starts.append((Status.SECOND_START, _pace(problem, starts[0][1])))
@@ -61,28 +60,6 @@ def _solve_from_all(
             if optimal and (known is None or solution.duration <= known.duration * (1 + SAME_TIME)):
                 return solved[-1:]
     return solved
-
-
-def _check_braking(problem: RunProblem) -> float:
-    """The angle that the run needs at least between the speeds of its ends.
-
-    Raises:
-        InfeasibleError: more than it has, half a turn beyond its nodes included.
-    """
-    run = problem.run
-    if not run.moving:
-        return 0.0
-    rates = [max(bounds) for bounds in zip(*(rate_bounds(d.rows) for d in problem.demands), strict=True)]
-    jerk = inf if any((*problem.start[1:], *problem.end[1:])) or problem.family.continuity < 2 else rates[2]
-    needed = braking_distance(*run.speeds, rates[1], jerk)
-    if needed > run.angle + FARTHEST:
-        ends = "slowing down" if run.speeds[0] > run.speeds[1] else "getting as fast as that"
-        message = (
-            f"{ends} takes {np.degrees(needed):.6g}° at least under the limits; the run there has "
-            f"{np.degrees(run.angle):.6g}°, and half a turn beyond it at most"
-        )
-        raise InfeasibleError(Fault(message, problem.where))
-    return needed
 
 
 def _pace(problem: RunProblem, start: Sequence[Timing]) -> tuple[Timing, ...]:

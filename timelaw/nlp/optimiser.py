@@ -6,7 +6,7 @@ from math import inf
 from timelaw.easing import Timing
 from timelaw.easing.family import Family
 from timelaw.errors import Fault, InfeasibleError
-from timelaw.nlp.all_runs import list_deadlines, solve_together
+from timelaw.nlp.all_runs import list_deadlines, solve_together, solve_weighed
 from timelaw.nlp.program import RunProblem
 from timelaw.nlp.single_runs import assign_solutions, solve_distinct, solve_runs
 from timelaw.nlp.solution import Solution, Timings, sum_durations
@@ -44,6 +44,11 @@ def optimise(
     if OBJECTIVES[goal.minimise].separable and not given:
         _check_durations(requirements, least.timings)
         return family, least
+    if goal.weight is not None and not given:
+        solutions = solve_weighed(runs, least.timings, goal)
+        timings = assign_solutions(runs, solutions)
+        _check_durations(requirements, timings.timings)
+        return family, timings
     if progress is not None:
         progress("solving all runs together", len(least.solutions), len(least.solutions) + 1)
     solution = solve_together(runs, least.timings, goal, given)

@@ -1,8 +1,10 @@
 """What is asked of the solver."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from math import inf, pi
+from typing import TypeVar
 
 from timelaw.easing.family import Basis, Family
 from timelaw.limits import Demand
@@ -12,6 +14,7 @@ from timelaw.requirements.run_demand import RunDemand
 
 FARTHEST = pi  # rad: how far the body runs beyond a leg at most, where no law stays on the arcs
 MARGIN = 2e-6  # of every limit; what is left between the points, and rounding, fit into it
+T = TypeVar("T")
 LEAST_TIME, LEAST_PEAK = OBJECTIVES["time"], OBJECTIVES["peak"]
 
 
@@ -55,7 +58,8 @@ class Program:
 
     With `weight` the objective is added to the time: T/T* + weight E/E*, T* and E* those of the start.
     Where time cannot be stretched, a `margin` is kept from every limit, and the body runs at most so far
-    `beyond` a node of its leg [rad], to come back.
+    `beyond` a node of its leg [rad], to come back. `counts` says how many times each run is made, once each
+    if empty: alike runs are moved through alike.
     """
 
     runs: tuple[RunProblem, ...]
@@ -64,6 +68,7 @@ class Program:
     budgets: tuple[Budget, ...] = ()
     beyond: float = 0.0
     margin: float = MARGIN
+    counts: tuple[int, ...] = ()
 
     @property
     def demands(self) -> tuple[Demand, ...]:
@@ -74,6 +79,16 @@ class Program:
     def bases(self) -> tuple[Basis, ...]:
         """Bases of all legs, run after run."""
         return tuple(basis for run in self.runs for basis in run.bases)
+
+    @property
+    def leg_counts(self) -> tuple[int, ...]:
+        """How many times each leg is made."""
+        counts = self.counts or (1,) * len(self.runs)
+        return tuple(count for run, count in zip(self.runs, counts, strict=True) for _ in run.demands)
+
+    def repeat(self, legs: Sequence[T]) -> list[T]:
+        """Something for each leg as many times as the leg is made."""
+        return [leg for leg, count in zip(legs, self.leg_counts, strict=True) for _ in range(count)]
 
     @property
     def moving(self) -> bool:
@@ -96,3 +111,8 @@ class Program:
     def elastic(self) -> bool:
         """Whether the last excess over a limit may be closed by stretching time."""
         return self.objective.separable and not self.budgets and all(run.elastic for run in self.runs)
+
+    @property
+    def divided(self) -> bool:
+        """Whether a time is given for a part of the legs."""
+        return any(budget.legs != len(self.demands) for budget in self.budgets)

@@ -88,7 +88,8 @@ def transcribe(
         used = ca.vertcat(*(ca.repmat(peak**root, value.numel(), 1) for value, root in rows))
         g = ca.vertcat(g / unit - used, -g / unit - used)
     seconds = ca.vertcat(*(leg.duration for leg in legs))
-    times = [ca.sum1(seconds[: budget.legs]) / budget.time for budget in program.budgets]
+    made = seconds * ca.DM(program.leg_counts)
+    times = [ca.sum1(made[: budget.legs]) / budget.time for budget in program.budgets]
     room = np.concatenate([part for leg_rooms in rooms for part in leg_rooms])
     upper = np.zeros(g.numel()) if with_peak else room
     lower = np.full(g.numel(), -np.inf) if with_peak else -upper
@@ -99,7 +100,8 @@ def transcribe(
         "lbg": np.concatenate([lower, -beyond, ones]),
         "ubg": np.concatenate([upper, 1 + beyond, ones]),
     }
-    objective = program.objective.expression(_Terms(program, legs, float(np.mean(units)), effort_scale, peak))
+    unit_time = float(np.average(units, weights=program.leg_counts))
+    objective = program.objective.expression(_Terms(program, legs, unit_time, effort_scale, peak))
     symbols = {"x": x, "f": objective, "g": ca.vertcat(g, *near, *times)}
     coefficients = [part for leg in legs for part in (leg.left, leg.free, leg.right)]
     unpack = ca.Function("unpack", [x], [seconds, *coefficients])
@@ -184,7 +186,7 @@ class _Terms:
     @property
     def legs(self) -> int:
         """How many."""
-        return len(self.symbols)
+        return sum(self.program.leg_counts)
 
     @property
     def weight(self) -> float | None:
@@ -199,7 +201,8 @@ class _Terms:
     @property
     def time(self) -> Any:
         """Total time in mean durations of the start."""
-        return ca.sum1(ca.vertcat(*(leg.duration for leg in self.symbols))) / self.unit
+        durations = ca.vertcat(*(leg.duration for leg in self.symbols))
+        return ca.dot(ca.DM(self.program.leg_counts), durations) / self.unit
 
     def effort(self, name: str) -> Any:
         """∫ g dt over all legs over that of the start, by Gauss-Legendre, exact for polynomials."""
@@ -209,7 +212,7 @@ class _Terms:
             tau, weights = basis.quadrature()
             rates = _rates(demand.angle, leg, basis, tau, effort.orders)
             terms.append(leg.duration * ca.dot(ca.DM(weights), effort.integrand(demand, rates)))
-        return ca.sum1(ca.vertcat(*terms)) / (self.scale or 1.0)
+        return ca.dot(ca.DM(self.program.leg_counts), ca.vertcat(*terms)) / (self.scale or 1.0)
 
 
 def _variable_bounds(program: Program, units: Array, sizes: Sequence[int]) -> dict[str, Array]:
