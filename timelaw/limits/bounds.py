@@ -7,6 +7,7 @@ import numpy as np
 
 from timelaw.limits.formula import Formula, Vector, dot
 from timelaw.numerics.array import Array
+from timelaw.numerics.ball import Number, list_numbers, measure
 
 AXES = ("x", "y", "z")
 
@@ -23,13 +24,16 @@ def bound_vector(name: str, vector: Vector, bounds: Bounds) -> list[Formula]:
     ]
 
 
-def split_by_axis(name: str, vector: Array, bounds: Bounds) -> Iterator[tuple[str, float, float]]:
-    """(label, factor, bound) of rows that limit a constant vector (3,) times a rate: its norm, or by axis."""
+def split_by_axis(name: str, vector: Array, bounds: Bounds) -> Iterator[tuple[str, Number, float]]:
+    """(label, factor, bound) of rows that limit a constant vector (3,) times a rate: its norm, or by axis.
+
+    Factors are floats, or balls where the vector is made of them.
+    """
     if not isinstance(bounds, tuple):
-        yield name, float(np.linalg.norm(vector)), bounds
+        yield name, measure(vector), bounds
         return
-    for axis, component, bound in zip(AXES, vector, bounds, strict=True):
-        yield f"{name} {axis}", float(component), bound
+    for axis, component, bound in zip(AXES, list_numbers(vector), bounds, strict=True):
+        yield f"{name} {axis}", component, bound
 
 
 def least_quotient(bounds: Bounds, vectors: Array) -> Array:

@@ -29,8 +29,8 @@ class Gyroscopic(Coupled):
     limit: str
     label: str
     unit: str
-    linear: float
-    gyroscopic: float
+    linear: Any
+    gyroscopic: Any
     bound: float
     note: ClassVar[str] = ""
 
@@ -91,8 +91,8 @@ class DriftRow(Coupled):
     limit: str
     label: str
     unit: str
-    linear: float
-    drift: float
+    linear: Any
+    drift: Any
     bound: float
     note: str = ""
     powers: ClassVar[tuple[int, ...]] = (1, 2)

@@ -34,9 +34,10 @@ class Rate:
 
     def on(self, axis: Array) -> Sequence[RateRow]:
         """Rows on a leg about `axis` (3,)."""
+        whole = [(self.name, 1.0, self.bounds)] if not isinstance(self.bounds, tuple) else []
         return [
             RateRow(self.name, label, UNITS[self.order], self.order, factor, bound)
-            for label, factor, bound in split_by_axis(self.name, axis, self.bounds)
+            for label, factor, bound in whole or split_by_axis(self.name, axis, self.bounds)
         ]
 
     def bound_rates(self, axes: Array) -> dict[int, Array]:

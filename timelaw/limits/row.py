@@ -2,7 +2,8 @@
 
 Along a leg the axis n stays the same in the body, so each limit becomes |g(φ', φ'', …)| ≤ bound at
 every instant, g a polynomial. `rates[k]` is the k-th time derivative of the angle in whatever
-form: symbols of the solver, polynomials in time, or arrays of numbers.
+form: symbols of the solver, polynomials in time, or arrays of numbers. The row's own coefficients are
+floats, or balls where the leg's axis is given so: that is what a proof needs.
 
 Stretching time by c divides g by c^power where the row is homogeneous, else its terms by the least to
 the greatest of `powers`; `root` says that g is the root-th power of the limited quantity (2 for norms
@@ -84,7 +85,7 @@ class RateRow:
     label: str
     unit: str
     order: int
-    factor: float
+    factor: Any
     bound: float
     offset: float = 0.0
     note: str = ""
@@ -103,7 +104,8 @@ class RateRow:
 
     def value(self, rates: Mapping[int, Any]) -> Any:
         """Factor times the rate."""
-        return self.factor * rates[self.order]
+        rate = rates[self.order]
+        return rate if self.factor == 1 else self.factor * rate
 
     def size(self, value: float) -> float:
         """What is limited."""

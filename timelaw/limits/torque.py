@@ -13,6 +13,7 @@ from timelaw.limits.formula import Formula, Rates, Vector, add, apply, cross
 from timelaw.limits.limit import Limit
 from timelaw.limits.row import RateRow, Row
 from timelaw.numerics.array import Array
+from timelaw.numerics.ball import list_numbers, measure
 
 UNIT = "N·m"
 NOTE = (
@@ -27,7 +28,7 @@ def make_torque_row(body: RigidBody, axis: Array, bound: float = 1.0) -> TorqueN
     """
     linear = body.inertia @ axis
     gyroscopic = np.cross(axis, linear)
-    sizes = float(np.linalg.norm(linear)), float(np.linalg.norm(gyroscopic))
+    sizes = measure(linear), measure(gyroscopic)
     if body.actuator != WHEELS:
         return TorqueNormRow("torque", "torque", UNIT, *sizes, bound**2)
     return None if body.total_momentum else TorqueNormRow("torque", "torque", UNIT, sizes[0], 0.0, bound**2)
@@ -59,8 +60,10 @@ class ExternalTorque:
         linear = self.body.inertia @ axis
         gyroscopic = np.cross(axis, linear)
         return [
-            TorqueRow(self.name, f"{self.name} {name}", UNIT, float(a), float(b), bound)
-            for name, a, b, bound in zip(AXES, linear, gyroscopic, self.bounds, strict=True)
+            TorqueRow(self.name, f"{self.name} {name}", UNIT, a, b, bound)
+            for name, a, b, bound in zip(
+                AXES, list_numbers(linear), list_numbers(gyroscopic), self.bounds, strict=True
+            )
         ]
 
     def bound_rates(self, axes: Array) -> dict[int, Array]:  # noqa: ARG002
@@ -96,9 +99,9 @@ class WheelTorque:
         total = self.body.total_momentum
         if not total:
             return [RateRow(self.name, label, UNIT, 2, a, bound) for label, a, bound in factors]
-        aslant = [1.0] if len(factors) == 1 else np.linalg.norm(np.cross(np.eye(3), axis), axis=1)
+        aslant = [1.0] if len(factors) == 1 else [measure(np.cross(side, axis)) for side in np.eye(3)]
         return [
-            DriftRow(self.name, label, UNIT, a, sense * float(part) * total, bound, NOTE.format(total))
+            DriftRow(self.name, label, UNIT, a, sense * part * total, bound, NOTE.format(total))
             for (label, a, bound), part in zip(factors, aslant, strict=True)
             for sense in (1.0, -1.0)
         ]

@@ -7,6 +7,7 @@ from math import comb
 import numpy as np
 
 from timelaw.numerics.array import Array
+from timelaw.numerics.ball import ABOVE, Ball
 from timelaw.numerics.bernstein import UNIT_ROUNDOFF, elevate, evaluate, integrate_square
 from timelaw.numerics.extrema import Peak, enclose_polynomials
 
@@ -43,7 +44,10 @@ class Polynomial:
         rounding = 2 * UNIT_ROUNDOFF * float(np.max(np.abs(control)))
         return Polynomial(control, self.error + other.error + raised + rounding)
 
-    def __mul__(self, other: "Polynomial | float") -> "Polynomial":
+    def __mul__(self, other: "Polynomial | Ball | float") -> "Polynomial":
+        if isinstance(other, Ball):
+            exact = self * other.value
+            return Polynomial(exact.control, exact.error + other.error * (self.size + self.error) * ABOVE)
         if not isinstance(other, Polynomial):
             control = self.control * other
             rounding = SCALAR_ROUNDING * float(np.max(np.abs(control)))
@@ -65,7 +69,7 @@ class Polynomial:
 
     def integrate_square(self) -> float:
         """∫ p² du over [0, 1]."""
-        return integrate_square(self.control)
+        return float(integrate_square(self.control))
 
     @classmethod
     def enclose_all(cls, functions: Sequence["Polynomial"]) -> list[Peak]:
