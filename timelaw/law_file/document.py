@@ -9,7 +9,7 @@ from pydantic import ValidationError
 from timelaw.errors import Fault, InputError
 from timelaw.law_file.schema import BodyDocument, LawDocument
 from timelaw.limits import LIMITS
-from timelaw.limits.body import EXTERNAL, RigidBody
+from timelaw.limits.body import EXTERNAL, RigidBody, find_impossibility
 from timelaw.limits.bounds import read_bounds, write_bounds
 from timelaw.limits.registry import POINT
 from timelaw.motion import QuaternionLaw
@@ -60,7 +60,7 @@ def from_document(document: Any, path: str = "") -> QuaternionLaw:
         raise InputError(*(_fault(details, path) for details in error.errors())) from None
     if read.conventions != CONVENTIONS:
         raise InputError(Fault(f"{read.conventions}; allowed: {CONVENTIONS}", "conventions", path))
-    body = _read_body(read.body) if read.body else None
+    body = _read_body(read.body, path) if read.body else None
     if not read.limits:
         raise InputError(Fault("at least one limit is needed, or there is nothing to prove", "limits", path))
     segments = tuple(KINDS[segment.kind].read(segment) for segment in read.segments)
@@ -82,8 +82,12 @@ def _write_body(body: RigidBody) -> dict[str, Any]:
     return document
 
 
-def _read_body(body: BodyDocument) -> RigidBody:
+def _read_body(body: BodyDocument, path: str) -> RigidBody:
     inertia, momentum = (np.array(part, dtype=float) for part in (body.inertia, body.momentum))
+    with np.errstate(over="ignore", invalid="ignore"):  # what overflows is refused
+        reason = find_impossibility(inertia)
+    if reason:
+        raise InputError(Fault(reason, "body.inertia", path))
     return RigidBody(inertia, body.actuator, momentum)
 
 

@@ -7,7 +7,7 @@ from pydantic import AfterValidator, BeforeValidator, Field, model_validator
 from timelaw.limits.body import EXTERNAL, WHEELS
 from timelaw.limits.torque import ACTUATORS
 from timelaw.motion.kinds import KINDS
-from timelaw.motion.schema import BoundsDocument, Duration, Part, Vector3
+from timelaw.motion.schema import BoundsDocument, Duration, Moderate3, Part, Vector3
 
 if TYPE_CHECKING:
     SegmentDocument = Any
@@ -32,9 +32,9 @@ def _known_actuator(value: str) -> str:
 class BodyDocument(Part):
     """The body, where a limit needs to know it."""
 
-    inertia: Annotated[list[Vector3], Field(min_length=3, max_length=3)]
+    inertia: Annotated[list[Moderate3], Field(min_length=3, max_length=3)]
     actuator: Annotated[str, AfterValidator(_known_actuator)] = EXTERNAL
-    momentum: Vector3 = Field(default_factory=lambda: [0.0, 0.0, 0.0])
+    momentum: Moderate3 = Field(default_factory=lambda: [0.0, 0.0, 0.0])
 
     @model_validator(mode="after")
     def _momentum_is_the_wheels(self) -> Self:

@@ -17,6 +17,7 @@ Number = Annotated[float, Field(allow_inf_nan=False)]
 Control = Annotated[float, Field(ge=-WIDEST, le=WIDEST)]
 Duration = Annotated[float, Field(ge=SHORTEST, le=LONGEST)]
 Vector3 = Annotated[list[Number], Field(min_length=3, max_length=3)]
+Moderate3 = Annotated[list[Control], Field(min_length=3, max_length=3)]  # a row of an inertia, a momentum
 Vector4 = Annotated[list[Number], Field(min_length=4, max_length=4)]
 BoundsDocument = dict[str, Annotated[Any, AfterValidator(lambda value: _bound(value))]]
 
