@@ -121,9 +121,10 @@ class Evidence:
         orders = range(1, self.spec.continuity + 1)
         found = [jump for order in orders for jump in self._node_jumps(order)]
         for segment in self.law.segments:
-            for place, jump in zip(segment.breaks[1:], segment.jumps(), strict=False):
-                at = f"inside {segment.name} at {place:.9g} of it"
-                found += [(float(np.linalg.norm(jump[k])) / (self.scale[k] or 1.0), k, at) for k in orders]
+            for k in orders:
+                for place, jump in zip(segment.breaks[1:], segment.jumps(k), strict=False):
+                    at = f"inside {segment.name} at {place:.9g} of it"
+                    found.append((float(np.linalg.norm(jump)) / (self.scale[k] or 1.0), k, at))
         return found
 
     def _node_jumps(self, order: int) -> list[tuple[float, int, str]]:

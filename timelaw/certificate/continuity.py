@@ -1,19 +1,19 @@
 """Continuity at the nodes and inside the segments: which rates jump, and by how much."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from timelaw.limits.rate import ORDERS
+from timelaw.certificate.jump_scale import JumpScale, list_scales
 from timelaw.motion import QuaternionLaw, Segment
 from timelaw.motion.segment import RATES
 from timelaw.numerics.array import Array
 from timelaw.numerics.function import enclose_peaks
 from timelaw.numerics.turn import SAME_AXIS, angle_between_axes
 
-JUMP_TOLERANCE = 1e-9  # of the limit of that order, or of the largest rate of the motion
+JUMP_TOLERANCE = 1e-9  # of the limit of that order, or of what the motion sustains
 
 
 @dataclass(frozen=True)
@@ -21,7 +21,8 @@ class NodeReport:
     """ω, α, jerk, snap (3,) in body axes just before and after a node, their jumps, and the class C^k.
 
     Before the first and after the last node the body has the rates that the law says, at rest
-    unless it says so. A dwell has two nodes of its label, its beginning and its end.
+    unless it says so. A dwell has two nodes of its label, its beginning and its end. `parts` are the jumps
+    by order in parts of what they are judged by.
     `continuity` k: orientation and its first k rates (1: ω, 2: ω and α, 3: jerk, 4: snap too) are
     continuous. `moving`: with a speed that is more than the rounding of rest.
     """
@@ -33,6 +34,7 @@ class NodeReport:
     before: Mapping[str, Array]
     after: Mapping[str, Array]
     jump: Mapping[str, float]
+    parts: Mapping[int, float]
     continuity: int
     moving: bool
 
@@ -75,30 +77,33 @@ class Continuity:
 
 
 def check_continuity(law: QuaternionLaw) -> Continuity:
-    """Compare the two sides of every node and of every break, in all segments by one rule.
+    """Compare the two sides of every node and of every break.
 
-    A jump of the k-th rate counts if it is above 1e-9 of the limit of that order where there is one (axis by
-    axis where it is given so; for limits of single legs the loosest), else of the largest k-th rate of the
-    whole motion. Where that is rounding itself, as in a steady turn, the largest ω over the (k-1)-th power
-    of the whole duration is what it is told by.
+    A jump counts if it is above 1e-9 of what `list_scales` says of its segment, at a node of the looser of
+    both sides.
     """
-    peaks = _peaks(law)
-    scales = _scales(law, peaks)
+    scales = list_scales(law)
     nodes = tuple(_node(law, index, scales) for index in range(len(law.segments) + 1))
-    inside = [_relate(jumps, scales) for segment in law.segments for jumps in segment.jumps()]
-    at_nodes = [_relate(_subtract(node), scales) for node in nodes]
-    classes = [_class(parts) for parts in inside]
-    order = min([*classes, *(node.continuity for node in nodes)])
-    worst = {k: max(parts[k] for parts in (*inside, *at_nodes)) for k in range(1, order + 1)}
-    return Continuity(nodes, min(classes, default=max(RATES)), peaks, worst)
+    inside = {k: _largest_inside(law.segments, k, scales[k]) for k in RATES}
+    order = min([_class(inside), *(node.continuity for node in nodes)])
+    worst = {k: max([inside[k], *(node.parts[k] for node in nodes)]) for k in range(1, order + 1)}
+    return Continuity(nodes, _class(inside), _peaks(law), worst)
 
 
-def _node(law: QuaternionLaw, index: int, scales: Mapping[int, Array]) -> NodeReport:
+def _largest_inside(segments: Sequence[Segment], order: int, scales: Sequence[JumpScale]) -> float:
+    """The largest jump of a rate inside segments, in parts of its scale."""
+    parts = [scale.relate(s.jumps(order)) for s, scale in zip(segments, scales, strict=True)]
+    return float(np.max(np.concatenate(parts), initial=0.0))
+
+
+def _node(law: QuaternionLaw, index: int, scales: Mapping[int, Sequence[JumpScale]]) -> NodeReport:
     last = law.segments[index - 1] if index else None
     following = law.segments[index] if index < len(law.segments) else None
     before = {k: last.side(k, -1) if last else law.before.get(k, np.zeros(3)) for k in RATES}
     after = {k: following.side(k, 0) if following else law.after.get(k, np.zeros(3)) for k in RATES}
     jumps = {k: after[k] - before[k] for k in RATES}
+    sides = {k: scales[k][max(index - 1, 0) : index + 1] for k in RATES}
+    parts = {k: float(min(scale.relate(jumps[k]) for scale in sides[k])) for k in RATES}
     kind, turn = _kind(last, following)
     return NodeReport(
         law.labels[index],
@@ -108,8 +113,9 @@ def _node(law: QuaternionLaw, index: int, scales: Mapping[int, Array]) -> NodeRe
         {name: before[k] for k, name in RATES.items()},
         {name: after[k] for k, name in RATES.items()},
         {name: float(np.linalg.norm(jumps[k])) for k, name in RATES.items()},
-        _class(_relate(jumps, scales)),
-        _relate(before, scales)[1] > JUMP_TOLERANCE,
+        parts,
+        _class(parts),
+        any(float(scale.relate(before[1])) > JUMP_TOLERANCE for scale in sides[1]),
     )
 
 
@@ -133,31 +139,6 @@ def _peaks(law: QuaternionLaw) -> dict[int, float]:
     for (order, _), peak in zip(places, enclose_peaks([rate for _, rate in places]), strict=True):
         peaks[order] = max(peaks[order], peak.lower)
     return peaks
-
-
-def _scales(law: QuaternionLaw, peaks: Mapping[int, float]) -> dict[int, Array]:
-    """What a jump of each rate is judged against, () for its norm or (3,) by axis."""
-    scales = {k: np.array(max(peaks[k], peaks[1] / law.duration ** (k - 1))) for k in RATES}
-    for name, order in ORDERS.items():
-        own = [segment.limits[name] for segment in law.legs if name in segment.limits]
-        given = [law.limits[name]] if name in law.limits else own
-        if given:
-            scales[order] = np.array(max(given, key=np.min), dtype=float)
-    return scales
-
-
-def _subtract(node: NodeReport) -> dict[int, Array]:
-    return {k: node.after[name] - node.before[name] for k, name in RATES.items()}
-
-
-def _relate(jumps: Mapping[int, Array], scales: Mapping[int, Array]) -> dict[int, float]:
-    """Each jump (3,) in parts of its scale."""
-    parts = {}
-    for k, scale in scales.items():
-        size = np.abs(jumps[k]) if scale.ndim else np.linalg.norm(jumps[k])
-        with np.errstate(divide="ignore", invalid="ignore"):
-            parts[k] = float(np.max(np.where(size == 0, 0.0, size / scale)))
-    return parts
 
 
 def _class(parts: Mapping[int, float]) -> int:

@@ -1,25 +1,31 @@
-"""Does the law meet its nodes? Arcs, unit vectors and times, from the numbers in the law."""
+"""Does the law meet its nodes, in time? From the numbers in the law."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import pairwise
+from math import inf
 
 import numpy as np
 
 from timelaw.motion import QuaternionLaw, Segment
-from timelaw.motion.segment import NODE_TOLERANCE
+from timelaw.numerics.quaternion import rotation_between
 
 UNIT_TOLERANCE = 1e-9  # |norm - 1|
-TIME_TOLERANCE = 1e-12  # of the total time; start times are sums of durations
+NODE_TOLERANCE = 1e-9  # rad of body rotation, of all that comes together at a node
+NODE_ROUNDING = 1e-14  # rad; of products of quaternions and their angles, a few dozen roundings
+CLOCK_TOLERANCE = 2.0  # spacings of the doubles there; a start time is a rounded sum
+CLOCK_RESOLUTION = 1e-6  # of a segment; what the spacing of doubles is at most at its end
 
 
 @dataclass(frozen=True)
 class GeometryCheck:
-    """The worst of one kind of discrepancy, where it is, and what is tolerated."""
+    """The worst of one kind of discrepancy, where it is, what is tolerated, and of what."""
 
     check: str
     worst: float
     tolerance: float
     where: str
+    unit: str = ""
 
     @property
     def holds(self) -> bool:
@@ -28,41 +34,50 @@ class GeometryCheck:
 
 
 def check_geometry(law: QuaternionLaw) -> tuple[GeometryCheck, ...]:
-    """Unit vectors, segments that end where they say and join, times that add up, what each kind asks for."""
-    segments, total = law.segments, law.duration
+    """Unit vectors, nodes that are met, times that add up and can be told, what each kind asks for."""
+    segments = law.segments
     own: dict[str, list[tuple[str, float]]] = {}
     tolerances: dict[str, float] = {}
     for s in segments:
         for found in s.own_checks():
             own.setdefault(found.check, []).append((s.name, found.error))
             tolerances[found.check] = found.tolerance
+    steps = [(segments[0].name, abs(segments[0].start_time) / np.spacing(0.0))]
+    steps += [
+        (b.name, abs(b.start_time - a.end_time) / np.spacing(b.start_time)) for a, b in pairwise(segments)
+    ]
+    told = [(s.name, float(np.spacing(s.end_time)) / s.duration) for s in segments]
     return (
         _worst("unit quaternions and axes", UNIT_TOLERANCE, [(s.name, _unit_error(s)) for s in segments]),
-        _worst("arcs end at their nodes", NODE_TOLERANCE, [(s.name, s.end_error()) for s in segments]),
-        _worst("segments join", NODE_TOLERANCE, _joints(law)),
-        _worst(
-            "times add up",
-            TIME_TOLERANCE * total,
-            [(segments[0].name, abs(segments[0].start_time))]
-            + [(b.name, abs(b.start_time - a.end_time)) for a, b in pairwise(segments)],
-        ),
+        _worst("nodes are met", NODE_TOLERANCE, list(_miss_nodes(law)), "rad of body rotation"),
+        _worst("times add up", CLOCK_TOLERANCE, steps, "spacings of the clock"),
+        _worst("the clock resolves each segment", CLOCK_RESOLUTION, told, "of the segment"),
         *(_worst(check, tolerances[check], errors) for check, errors in own.items()),
     )
 
 
-def _worst(check: str, tolerance: float, errors: list[tuple[str, float]]) -> GeometryCheck:
+def _worst(check: str, tolerance: float, errors: list[tuple[str, float]], unit: str = "") -> GeometryCheck:
     where, worst = max(errors, key=lambda e: e[1] if e[1] == e[1] else np.inf)
-    return GeometryCheck(check, worst, tolerance, where)
+    return GeometryCheck(check, float(worst), tolerance, where, unit)
 
 
 def _unit_error(s: Segment) -> float:
     return max(abs(float(np.linalg.norm(v)) - 1) for v in s.unit_vectors())
 
 
-def _joints(law: QuaternionLaw) -> list[tuple[str, float]]:
-    """Distance on S³ at each joint, signs included, and infinite where the labels differ."""
-    joints = [(law.segments[0].name, 0.0)]
-    for a, b in pairwise(law.segments):
-        same = a.target == b.origin
-        joints.append((b.name, float(np.linalg.norm(a.end - b.start)) if same else float("inf")))
-    return joints
+def _miss_nodes(law: QuaternionLaw) -> Iterator[tuple[str, float]]:
+    """For each node how far apart [rad] all is that should be there; infinite where labels differ.
+
+    What the segment that comes there misses, the orientations that the file has for it (the segment's end,
+    those of dwells, the next one's start), and how far from there the next one begins.
+    """
+    label, missed, there, apart = law.segments[0].origin, 0.0, law.segments[0].start, 0.0
+    for segment in law.segments:
+        apart = max(apart, rotation_between(there, segment.start))
+        if segment.origin != label:
+            apart = inf
+        if segment.moves:
+            yield f"node {label}", missed + apart + segment.start_error() + NODE_ROUNDING
+            missed, there, apart = segment.end_error(), segment.end, 0.0
+        label = segment.target
+    yield f"node {label}", missed + apart + NODE_ROUNDING

@@ -1,7 +1,9 @@
 """Segments of kind `arc`: a great-circle arc run through by a profile of the angle travelled."""
 
+from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from itertools import pairwise
 from typing import Annotated, Any, ClassVar, Literal
 
@@ -25,12 +27,13 @@ from timelaw.motion.schema import (
     Vector3,
     Vector4,
 )
-from timelaw.motion.segment import MAX_ORDER, RATES, Discrepancy, Quantity
+from timelaw.motion.segment import MAX_ORDER, Discrepancy, Quantity
 from timelaw.numerics.array import Array
+from timelaw.numerics.ball import enclose_direction
+from timelaw.numerics.bernstein import integrate_square
 from timelaw.numerics.polynomial import Polynomial
-from timelaw.numerics.quaternion import from_axis_angle, multiply
+from timelaw.numerics.quaternion import from_axis_angle, multiply, normalise, rotation_between
 
-ANGLE_TOLERANCE = 1e-10  # rad; pieces meet, and the last ends at the arc's angle, but for rounding
 DURATION_TOLERANCE = 1e-12  # of the segment; durations of pieces are rounded each
 
 
@@ -62,9 +65,9 @@ class ArcDocument(Part):
 class Arc:
     """q = q_i ⊗ (cos(φ/2), n sin(φ/2)), φ(t) = profile((t - start_time)/duration) from 0 to θ.
 
-    `start`, `end` (4,) and the unit `axis` n (3,), in body axes, are kept as they were given:
-    whether they agree with `angle` θ [rad] is for the certificate to say. `limits` hold on this
-    segment besides those of the law.
+    q_i and n are `start` (4,) and `axis` (3,), in body axes, each over its norm. They are kept as they were
+    given, as is `end`: whether they agree with `angle` θ [rad] is for the certificate to say. `limits` hold
+    on this segment besides those of the law.
     """
 
     kind: ClassVar[str] = "arc"
@@ -92,6 +95,11 @@ class Arc:
         """Instant [s] at which the segment ends."""
         return self.start_time + self.duration
 
+    @cached_property
+    def direction(self) -> Array:
+        """The unit axis (3,)."""
+        return normalise(self.axis)
+
     @property
     def breaks(self) -> Array:
         """Where the pieces of the profile meet (p+1,), in τ."""
@@ -101,12 +109,16 @@ class Arc:
         """At τ (m,): quaternions (m, 4) for order 0, else ω, α, jerk, snap (m, 3) for 1 to 4."""
         rate = self.profile(tau, order, side)
         if order == 0:
-            return multiply(self.start, from_axis_angle(self.axis, rate))
-        return np.array(rate[..., None] * self.axis)
+            return self._turn(rate)
+        return np.array(rate[..., None] * self.direction)
+
+    def _turn(self, angle: Array) -> Array:
+        """The orientation (..., 4) after an angle (...)."""
+        return multiply(normalise(self.start), from_axis_angle(self.direction, angle))
 
     def axis_at(self, end: int) -> Array:  # noqa: ARG002
         """The same axis all along."""
-        return self.axis
+        return self.direction
 
     def rates(self, order: int) -> list[Polynomial]:
         """The k-th time derivative of the travelled angle, a polynomial on each piece."""
@@ -114,35 +126,55 @@ class Arc:
 
     def side(self, order: int, end: int) -> Array:
         """The k-th rate (3,) at the first (0) or last (-1) instant, from inside."""
-        return np.array(self.rates(order)[end].control[end] * self.axis)
+        return np.array(self.rates(order)[end].control[end] * self.direction)
 
-    def jumps(self) -> Iterator[dict[int, Array]]:
-        """Jumps of the rates where pieces meet."""
-        rates = {k: self.rates(k) for k in RATES}
-        for left, right in pairwise(range(len(self.breaks) - 1)):
-            yield {k: (r[right].control[0] - r[left].control[-1]) * self.axis for k, r in rates.items()}
+    def jumps(self, order: int) -> Array:
+        """Jumps (p-1, 3) of the k-th rate where pieces meet."""
+        return np.array(self._gaps(order)[:, None] * self.direction)
+
+    def _gaps(self, order: int) -> Array:
+        """Jumps (p-1,) of a derivative of φ."""
+        rates = self.rates(order)
+        return np.array([b.control[0] - a.control[-1] for a, b in pairwise(rates)])
+
+    def sum_rate(self, order: int) -> float:
+        """Σ h √(mean of φ^(k)² on the piece)."""
+        pieces = zip(self.profile.pieces, self.rates(order), strict=True)
+        by_degree: dict[int, list[tuple[float, Array]]] = defaultdict(list)
+        for piece, rate in pieces:
+            by_degree[rate.degree].append((piece.duration, rate.control))
+        return sum(
+            float(np.array([h for h, _ in group]) @ np.sqrt(integrate_square([c for _, c in group])))
+            for group in by_degree.values()
+        )
 
     def quantities(self, limits: Sequence[Limit]) -> Iterator[Quantity]:
         """Rows about the axis, as polynomials in time on each piece."""
         breaks = self.breaks.tolist()
-        for row, piece, polynomial in expand_rows(list_rows(limits, self.axis), self.rates):
+        rows = list_rows(limits, enclose_direction(self.axis))
+        for row, piece, polynomial in expand_rows(rows, self.rates):
             yield Quantity(row, polynomial, breaks[piece], breaks[piece + 1])
 
     def unit_vectors(self) -> tuple[Array, ...]:
         """Both orientations, and the axis."""
         return self.start, self.end, self.axis
 
+    def start_error(self) -> float:
+        """|φ(0)| [rad]."""
+        return abs(float(self.rates(0)[0].control[0]))
+
     def end_error(self) -> float:
-        """Distance on S³ between where the arc leads and the quaternion it says it reaches, sign included."""
-        led = multiply(self.start, from_axis_angle(self.axis, np.array(self.angle)))
-        return float(np.linalg.norm(led - self.end))
+        """|φ(0)|, the gaps of φ between pieces, |φ - θ| at the end, and from where θ leads to `end` [rad]."""
+        angles = self.rates(0)
+        own = self.start_error() + float(np.sum(np.abs(self._gaps(0))))
+        rounding = sum(2 * angle.error for angle in angles)
+        missed = abs(float(angles[-1].control[-1]) - self.angle) + rotation_between(
+            self._turn(np.array(self.angle)), self.end
+        )
+        return own + missed + rounding
 
     def own_checks(self) -> Iterator[Discrepancy]:
-        """How far φ is from 0 at the start, from θ at the end, from itself between; the durations' sum."""
-        angles = [polynomial.control for polynomial in self.rates(0)]
-        gaps = [abs(float(b[0] - a[-1])) for a, b in pairwise(angles)]
-        error = max([abs(float(angles[0][0])), abs(float(angles[-1][-1]) - self.angle), *gaps])
-        yield Discrepancy("arcs turn from 0 to their angle", error, ANGLE_TOLERANCE)
+        """Whether the pieces' durations add up."""
         error = abs(self.profile.duration / self.duration - 1)
         yield Discrepancy("pieces take their segment's time", error, DURATION_TOLERANCE)
 

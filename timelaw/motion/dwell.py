@@ -13,6 +13,7 @@ from timelaw.motion.schema import Duration, Number, Part, Vector4
 from timelaw.motion.segment import Discrepancy, Quantity
 from timelaw.numerics.array import Array
 from timelaw.numerics.polynomial import Polynomial
+from timelaw.numerics.quaternion import normalise
 
 
 class DwellDocument(Part):
@@ -27,7 +28,7 @@ class DwellDocument(Part):
 
 @dataclass(frozen=True)
 class Dwell:
-    """q(t) = `orientation` (4,) for `duration` [s] from `start_time`, at the node labelled `at`."""
+    """q(t) = `orientation` (4,), over its norm, for `duration` [s] from `start_time`, at the node `at`."""
 
     kind: ClassVar[str] = "dwell"
     moves: ClassVar[bool] = False
@@ -67,7 +68,9 @@ class Dwell:
     def __call__(self, tau: Array, order: int, side: Side) -> Array:  # noqa: ARG002
         """The orientation (m, 4) for order 0, else zeros (m, 3)."""
         size = np.shape(tau)
-        return np.broadcast_to(self.orientation, (*size, 4)).copy() if order == 0 else np.zeros((*size, 3))
+        if order:
+            return np.zeros((*size, 3))
+        return np.broadcast_to(normalise(self.orientation), (*size, 4)).copy()
 
     def axis_at(self, end: int) -> None:  # noqa: ARG002
         """Nothing turns."""
@@ -81,9 +84,13 @@ class Dwell:
         """The k-th rate (3,) at the first (0) or last (-1) instant: zero."""
         return np.zeros(3)
 
-    def jumps(self) -> Iterator[dict[int, Array]]:
+    def jumps(self, order: int) -> Array:  # noqa: ARG002
         """There is no break inside."""
-        yield from ()
+        return np.zeros((0, 3))
+
+    def sum_rate(self, order: int) -> float:  # noqa: ARG002
+        """Nothing moves."""
+        return 0.0
 
     def quantities(self, limits: Sequence[Limit]) -> Iterator[Quantity]:  # noqa: ARG002
         """Nothing at rest is limited."""
@@ -92,6 +99,10 @@ class Dwell:
     def unit_vectors(self) -> tuple[Array, ...]:
         """The orientation."""
         return (self.orientation,)
+
+    def start_error(self) -> float:
+        """It starts where it is."""
+        return 0.0
 
     def end_error(self) -> float:
         """It stays where it is."""

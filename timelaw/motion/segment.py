@@ -12,7 +12,6 @@ from timelaw.numerics.function import Function
 
 RATES = {1: "omega", 2: "alpha", 3: "jerk", 4: "snap"}
 MAX_ORDER = max(RATES)  # q, ω, α, jerk and snap are what a law is evaluated for
-NODE_TOLERANCE = 1e-9  # rad; a few hundred rounding errors of a product of quaternions
 
 
 @dataclass(frozen=True)
@@ -108,12 +107,16 @@ class Segment(Protocol):
         """The k-th rate (3,) at an end, from inside."""
         ...
 
-    def jumps(self) -> Iterator[Mapping[int, Array]]:
-        """At each break inside, by order, the jump (3,) of each rate."""
+    def jumps(self, order: int) -> Array:
+        """The jumps (p-1, 3) of the k-th rate at the breaks inside."""
         ...
 
     def rates(self, order: int) -> Sequence[Function]:
         """On each piece a function whose size is that of the k-th rate."""
+        ...
+
+    def sum_rate(self, order: int) -> float:
+        """∫ |k-th rate| dt over it, or a little more: that of its root mean square on each piece."""
         ...
 
     def quantities(self, limits: Sequence[Limit]) -> Iterator[Quantity]:
@@ -124,8 +127,12 @@ class Segment(Protocol):
         """Its quaternions and axes, whose norm must be one."""
         ...
 
+    def start_error(self) -> float:
+        """Body rotation [rad] from `start` to where it begins."""
+        ...
+
     def end_error(self) -> float:
-        """Distance on S³ between where it leads and `end`."""
+        """Body rotation [rad] by which it misses `end`, all its own jumps of orientation added up."""
         ...
 
     def own_checks(self) -> Iterator[Discrepancy]:

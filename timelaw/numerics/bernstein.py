@@ -82,8 +82,15 @@ def hermite_matrix(degree: int, count: int) -> Array:
     return np.array([[comb(j, i) * falling[i] for i in range(count)] for j in range(count)])
 
 
-def integrate_square(control: ArrayLike) -> float:
-    """∫₀¹ p(u)² du by Gauss-Legendre with n + 1 nodes, exact for degree 2n up to rounding."""
+def integrate_square(control: ArrayLike) -> Array:
+    """∫₀¹ p(u)² du (...) by Gauss-Legendre with n + 1 nodes, exact for degree 2n up to rounding."""
     c = np.asarray(control, dtype=float)
-    nodes, weights = np.polynomial.legendre.leggauss(c.shape[-1])
-    return float(np.sum(weights / 2 * evaluate(c, (nodes + 1) / 2) ** 2))
+    weights, values = _quadrature(c.shape[-1] - 1)
+    return np.asarray((c @ values.T) ** 2 @ weights)
+
+
+@cache
+def _quadrature(degree: int) -> tuple[Array, Array]:
+    """Gauss-Legendre weights (n+1,) on [0, 1], and the basis at the nodes (n+1, n+1)."""
+    nodes, weights = np.polynomial.legendre.leggauss(degree + 1)
+    return weights / 2, basis_matrix(degree, (nodes + 1) / 2)

@@ -50,6 +50,21 @@ def rotation_matrix(q: ArrayLike) -> Array:
     return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
 
 
+def normalise(v: ArrayLike) -> Array:
+    """Vectors (..., k) over their norms."""
+    v = np.asarray(v, dtype=float)
+    return np.array(v / np.linalg.norm(v, axis=-1, keepdims=True))
+
+
+def rotation_between(p: ArrayLike, q: ArrayLike) -> float:
+    """Rotation angle [rad, 0 to 2π] from p to q (4,) of any norm, signs included: 2π between q and -q.
+
+    4 arcsin(|p - q|/2) of the unit quaternions, which is exact where they are close.
+    """
+    half = float(np.linalg.norm(normalise(p) - normalise(q))) / 2
+    return float(4 * np.arcsin(np.minimum(half, 1.0)))
+
+
 def angle_between(p: ArrayLike, q: ArrayLike) -> Array:
     """Rotation angle [rad, 0 to π] between orientations (..., 4), also exact near 0 and π."""
     d = multiply(conjugate(p), q)

@@ -1,0 +1,61 @@
+"""What a jump of a rate is judged against: the limit of its order, or what the motion sustains of it.
+
+A peak would do instead of what is sustained, if nobody could hide a jump behind a spike of a microsecond.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from timelaw.limits.rate import ORDERS
+from timelaw.motion import QuaternionLaw, Segment
+from timelaw.motion.segment import RATES
+from timelaw.numerics.array import Array
+
+BRIEF = 1e-3  # of the mean leg; what is shorter counts for as much: a leg of its own may be a spike
+
+
+@dataclass(frozen=True)
+class JumpScale:
+    """Bounds on one rate of a segment, () on its norm or (3,) by axis; all of them count."""
+
+    bounds: tuple[Array, ...]
+
+    def relate(self, jumps: Array) -> Array:
+        """Jumps (..., 3) in parts (...) of the bound that is the tightest for them."""
+        return np.asarray(np.max([_divide(jumps, bound) for bound in self.bounds], axis=0))
+
+
+def list_scales(law: QuaternionLaw) -> dict[int, list[JumpScale]]:
+    """For each order of a rate the scale of each segment.
+
+    The limits of that order, the law's and the segment's own. Where there is none, what the motion sustains:
+    the largest mean size of the rate over a leg, at least the largest mean ω over the (k-1)-th power of the
+    whole duration, for in a steady turn all else is rounding.
+    """
+    names = {order: name for name, order in ORDERS.items()}
+    slowest = _sustain(law.legs, 1)
+    found = {}
+    for k in RATES:
+        sustained = np.array(max(_sustain(law.legs, k), slowest / law.duration ** (k - 1)))
+        found[k] = [_choose(law, segment, names[k], sustained) for segment in law.segments]
+    return found
+
+
+def _choose(law: QuaternionLaw, segment: Segment, name: str, sustained: Array) -> JumpScale:
+    given = tuple(np.array(part[name]) for part in (law.limits, segment.limits) if name in part)
+    return JumpScale(given or (sustained,))
+
+
+def _sustain(legs: Sequence[Segment], order: int) -> float:
+    """The largest mean size of a rate over a leg."""
+    brief = BRIEF * float(np.mean([leg.duration for leg in legs])) if legs else 0.0
+    return max((leg.sum_rate(order) / max(leg.duration, brief) for leg in legs), default=0.0)
+
+
+def _divide(jumps: Array, bound: Array) -> Array:
+    size = np.abs(jumps) if bound.ndim else np.linalg.norm(jumps, axis=-1)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        parts = np.where(size == 0, 0.0, size / bound)
+    return np.max(parts, axis=-1) if bound.ndim else np.asarray(parts)
