@@ -3,11 +3,12 @@
 import hashlib
 import json
 from dataclasses import dataclass
+from itertools import groupby
 from typing import Any
 
 from timelaw.certificate.continuity import Continuity, check_continuity
 from timelaw.certificate.geometry_check import GeometryCheck, check_geometry
-from timelaw.certificate.limit_check import LimitCheck, check_limits
+from timelaw.certificate.limit_check import LegPeak, LimitCheck, check_limits, find_leg_peaks
 from timelaw.law_file.document import to_document
 from timelaw.motion import QuaternionLaw
 from timelaw.motion.segment import RATES
@@ -15,9 +16,13 @@ from timelaw.motion.segment import RATES
 
 @dataclass(frozen=True)
 class Certificate:
-    """What is proved of one law. It holds if every limit and every geometric check does."""
+    """What is proved of one law. It holds if every limit and every geometric check does.
+
+    `peaks` say how near each limit each segment comes, and when.
+    """
 
     limits: tuple[LimitCheck, ...]
+    peaks: tuple[LegPeak, ...]
     geometry: tuple[GeometryCheck, ...]
     continuity: Continuity
     duration: float
@@ -40,7 +45,9 @@ class Certificate:
         if self.continuity.order < self.asked:
             found.append(f"the motion is C{self.continuity.order}, C{self.asked} was asked for")
         found += [
-            f"{g.check}: off by {g.worst:.3g} at {g.where}, {g.tolerance:.1g} is tolerated"
+            f"{g.check}: off by {g.worst:.3g} {g.unit} at {g.where}, {g.tolerance:.1g} is tolerated".replace(
+                "  ", " "
+            )
             for g in self.geometry
             if not g.holds
         ]
@@ -88,6 +95,10 @@ class Certificate:
                 {"check": g.check, "worst": g.worst, "tolerance": g.tolerance, "holds": g.holds}
                 for g in self.geometry
             ],
+            "legs": [
+                {"segment": legs[0].segment, "limits": [leg.to_dict() for leg in legs]}
+                for legs in (list(group) for _, group in groupby(self.peaks, key=lambda leg: leg.index))
+            ],
             "continuity": self.continuity.order,
             "continuity_inside_segments": self.continuity.inside,
             "digest": self.digest,
@@ -96,8 +107,10 @@ class Certificate:
 
 def certify(law: QuaternionLaw) -> Certificate:
     """Prove what can be proved of a law from its own numbers; nothing is sampled."""
+    peaks = find_leg_peaks(law)
     return Certificate(
-        check_limits(law),
+        check_limits(peaks),
+        peaks,
         check_geometry(law),
         check_continuity(law),
         law.duration,

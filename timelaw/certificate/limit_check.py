@@ -1,12 +1,16 @@
 """Limits proved for all t: extrema of the law's polynomials, enclosed, against the bounds."""
 
 from collections import defaultdict
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
+from timelaw.limits import Row
 from timelaw.motion import QuaternionLaw, Segment
 from timelaw.motion.segment import Quantity
+from timelaw.numerics.extrema import Peak
 from timelaw.numerics.function import enclose_peaks
 
 ROUNDING = 1 + 2e-15  # of the last few operations, the root among them
@@ -47,32 +51,76 @@ class LimitCheck:
         return 1 - self.ratio
 
 
-def check_limits(law: QuaternionLaw) -> tuple[LimitCheck, ...]:
-    """Every limit that the law carries, axis by axis where it is given so, general ones first."""
-    groups: dict[str, list[tuple[Segment, Quantity]]] = defaultdict(list)
-    for segment in law.segments:
+@dataclass(frozen=True)
+class LegPeak:
+    """How near one segment, the `index`-th, comes to the limit called `label`: at `time` [s], in SI.
+
+    `peak` is a value it takes, `upper` one that it never exceeds.
+    """
+
+    label: str
+    index: int
+    segment: str
+    row: Row
+    peak: float
+    upper: float
+    time: float
+
+    @property
+    def bound(self) -> float:
+        """The limit there."""
+        return self.row.size(self.row.bound)
+
+    @property
+    def used(self) -> float:
+        """The part of the limit that is used at most."""
+        return self.upper / self.bound
+
+    def to_dict(self) -> dict[str, Any]:
+        """As the law file has it."""
+        return {"limit": self.label, "upper": self.upper, "time": self.time, "margin": 1 - self.used}
+
+
+def find_leg_peaks(law: QuaternionLaw) -> tuple[LegPeak, ...]:
+    """For each segment and each limit there where the limit is nearest; segments in their order."""
+    places: dict[tuple[int, str], list[Quantity]] = defaultdict(list)
+    for index, segment in enumerate(law.segments):
         for label, quantity in law.quantities(segment):
-            groups[label].append((segment, quantity))
-    names = sorted(groups, key=lambda label: " on " in label)
-    return tuple(_check(name, groups[name]) for name in names)
+            places[index, label].append(quantity)
+    tops = iter(enclose_peaks([quantity.value for found in places.values() for quantity in found]))
+    return tuple(
+        _join_pieces(label, index, law.segments[index], found, [next(tops) for _ in found])
+        for (index, label), found in places.items()
+    )
 
 
-def _check(label: str, places: list[tuple[Segment, Quantity]]) -> LimitCheck:
-    """Enclose the largest value of one limit's rows; squares are given back as what they are squares of."""
-    tops = enclose_peaks([quantity.value for _, quantity in places])
+def _join_pieces(
+    label: str, index: int, segment: Segment, places: Sequence[Quantity], tops: Sequence[Peak]
+) -> LegPeak:
+    """The largest value of one limit's row; a square is given back as what it is a square of."""
     highest = max(range(len(tops)), key=lambda i: tops[i].lower)
-    (segment, quantity), top = places[highest], tops[highest]
+    quantity, top = places[highest], tops[highest]
     row = quantity.row
     tau = float(quantity.start + top.at * (quantity.end - quantity.start))
+    # NumPy's maximum of what is not a number is not a number
+    upper = float(np.max([row.size(top.upper) for top in tops])) * ROUNDING
+    time = segment.start_time + segment.duration * tau
+    return LegPeak(label, index, segment.name, row, row.size(top.lower), upper, time)
+
+
+def check_limits(peaks: Sequence[LegPeak]) -> tuple[LimitCheck, ...]:
+    """Every limit that the law carries, axis by axis where it is given so, general ones first."""
+    groups: dict[str, list[LegPeak]] = defaultdict(list)
+    for peak in peaks:
+        groups[peak.label].append(peak)
+    names = sorted(groups, key=lambda label: " on " in label)
+    return tuple(_check(groups[name]) for name in names)
+
+
+def _check(peaks: Sequence[LegPeak]) -> LimitCheck:
+    """One limit over all segments that have it."""
+    top = max(peaks, key=lambda peak: peak.peak)
+    row, upper = top.row, float(np.max([peak.upper for peak in peaks]))
     return LimitCheck(
-        label,
-        row.size(row.bound),
-        row.size(top.lower),
-        # NumPy's maximum of what is not a number is not a number
-        float(np.max([row.size(top.upper) for top in tops])) * ROUNDING,
-        segment.start_time + segment.duration * tau,
-        segment.name,
-        row.unit,
-        max(row.orders),
-        row.note,
+        top.label, top.bound, top.peak, upper, top.time, top.segment, row.unit, max(row.orders), row.note
     )

@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 
 from timelaw.certificate import certify
-from timelaw.certificate.record import compare_with_record
+from timelaw.certificate.record import compare_with_record, list_compared
 from timelaw.cli.console import print_json, print_limits, say
 from timelaw.errors import EXIT_DONE, EXIT_FINDINGS
 from timelaw.law_file import read_law
@@ -17,10 +17,12 @@ def run(path: str, *, as_json: bool) -> int:
     with np.errstate(over="ignore", invalid="ignore"):  # what overflows is found not to hold
         certificate = certify(law)
     findings = [*certificate.findings(), *compare_with_record(certificate, document)]
+    record = list_compared(document)
     code = EXIT_FINDINGS if findings else EXIT_DONE
     print_limits(certificate)
     for finding in findings:
         say(f"finding: {finding}")
+    say(record.sentence)
     say(
         f"{law.name}: {certificate.duration:.6f} s, {len(law.segments)} segments, "
         f"C{certificate.continuity.order}, " + ("certified" if not findings else "NOT certified")
@@ -34,6 +36,7 @@ def run(path: str, *, as_json: bool) -> int:
                 "duration": certificate.duration,
                 "certificate": certificate.to_dict(),
                 "findings": findings,
+                "record": {"compared": record.compared, "not_compared": record.not_compared},
             }
         )
     return code

@@ -1,31 +1,25 @@
 """Which limits are active where: the part of each that a segment uses, proved, and its course in time."""
 
+from collections import defaultdict
 from collections.abc import Sequence
 
 import numpy as np
 
+from timelaw.certificate import Certificate
 from timelaw.motion import QuaternionLaw, Segment
 from timelaw.numerics.array import Array
-from timelaw.numerics.function import enclose_peaks
 from timelaw.report.figures.curves import POINTS_PER_DEGREE
 
 ACTIVE = 0.999  # of a limit; solvers leave a millionth, what is used to this part is what bounds the law
 
 
-def list_used_parts(law: QuaternionLaw, segment: Segment) -> dict[str, float]:
-    """For each limit the largest part of it that a segment uses."""
-    found = list(law.quantities(segment))
-    parts: dict[str, float] = {}
-    for (label, quantity), top in zip(found, enclose_peaks([q.value for _, q in found]), strict=True):
-        row = quantity.row
-        part = (top.upper / row.bound) ** (1 / row.root)
-        parts[label] = max(parts.get(label, 0.0), part)
-    return parts
-
-
-def list_active(law: QuaternionLaw, segment: Segment) -> list[str]:
-    """The limits that a segment uses up."""
-    return [label for label, part in list_used_parts(law, segment).items() if part >= ACTIVE]
+def list_active(certificate: Certificate) -> dict[int, list[str]]:
+    """By the index of a segment the limits that it uses up."""
+    found: dict[int, list[str]] = defaultdict(list)
+    for peak in certificate.peaks:
+        if peak.used >= ACTIVE:
+            found[peak.index].append(peak.label)
+    return found
 
 
 def trace_parts(

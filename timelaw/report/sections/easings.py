@@ -9,10 +9,9 @@ from timelaw.report.section import Facts, Section
 def _context(facts: Facts) -> dict[str, Any]:
     design = facts.design
     law, timings = design.optimised.law, design.solution.timings
-    return {
-        "active": {leg.name: list_active(law, leg) for leg in law.legs},
-        "arcs": list(zip(design.route.legs, law.legs, timings, strict=True)),
-    }
+    active = list_active(design.optimised.certificate)
+    moving = [active[index] for index, segment in enumerate(law.segments) if segment.moves]
+    return {"arcs": list(zip(design.route.legs, law.legs, timings, moving, strict=True))}
 
 
 SECTION = Section("Easings and durations", "easings.html", _context)
