@@ -198,7 +198,9 @@ def test_a_jump_from_q_to_minus_q_is_found(document):
         for key in ("start", "end"):
             segments[3][key] = [-c for c in segments[3][key]]
 
-    assert any("nodes are met: off by 6.28 rad of body rotation" in f for f in findings(altered(document, change))[0])
+    assert any(
+        "nodes are met: off by 6.28 rad of body rotation" in f for f in findings(altered(document, change))[0]
+    )
 
 
 def test_a_node_that_is_missed_is_found(document):

@@ -4,8 +4,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from timelaw.certificate import Certificate, certify
+from timelaw.certificate.geometry_check import RESOLVED
 from timelaw.compose import compose_law
 from timelaw.easing.family import Family
+from timelaw.errors import Fault, InputError
 from timelaw.motion import QuaternionLaw
 from timelaw.nlp import Timings, optimise
 from timelaw.nlp.solution import sum_durations
@@ -85,6 +87,8 @@ def design_layout(layout: Layout, progress: Progress | None = None) -> Design:
         family, solution = optimise(problem, layout.route, layout.requirements, progress)
     time_law = TimeLaw(OPTIMISED_LAW, solution.timings, layout.requirements.dwells)
     optimised = certify_time_law(layout, time_law, problem.nodes.continuity)
+    with layout.source.placed():
+        _refuse_unresolved(optimised)
     given = problem.objective.total_time is not None
     budgets = list_budgets(layout.requirements, sum_durations(solution.timings) if given else None)
     baselines = [
@@ -95,6 +99,22 @@ def design_layout(layout: Layout, progress: Progress | None = None) -> Design:
     return Design(
         **vars(layout), family=family, solution=solution, optimised=optimised, baselines=tuple(baselines)
     )
+
+
+def _refuse_unresolved(optimised: Certified) -> None:
+    """Refuse a motion so long that doubles do not tell the instants of a segment apart.
+
+    Raises:
+        InputError: with that segment.
+    """
+    for check in optimised.certificate.geometry:
+        if check.check == RESOLVED and not check.holds:
+            message = (
+                f"{optimised.law.duration:.6g} s are too long a motion for the instants of {check.where}: "
+                f"numbers of double precision are {check.worst:.1g} of it apart there, and "
+                f"{check.tolerance:.0g} is needed; shorten the dwells, or make two motions of it"
+            )
+            raise InputError(Fault(message, "nodes"))
 
 
 def lay_out(path: str | Path, progress: Progress | None = None) -> Layout:

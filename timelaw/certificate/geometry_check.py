@@ -15,6 +15,7 @@ NODE_TOLERANCE = 1e-9  # rad of body rotation, of all that comes together at a n
 NODE_ROUNDING = 1e-14  # rad; of products of quaternions and their angles, a few dozen roundings
 CLOCK_TOLERANCE = 2.0  # spacings of the doubles there; a start time is a rounded sum
 CLOCK_RESOLUTION = 1e-6  # of a segment; what the spacing of doubles is at most at its end
+RESOLVED = "the clock resolves each segment"
 
 
 @dataclass(frozen=True)
@@ -51,7 +52,7 @@ def check_geometry(law: QuaternionLaw) -> tuple[GeometryCheck, ...]:
         _worst("unit quaternions and axes", UNIT_TOLERANCE, [(s.name, _unit_error(s)) for s in segments]),
         _worst("nodes are met", NODE_TOLERANCE, list(_miss_nodes(law)), "rad of body rotation"),
         _worst("times add up", CLOCK_TOLERANCE, steps, "spacings of the clock"),
-        _worst("the clock resolves each segment", CLOCK_RESOLUTION, told, "of the segment"),
+        _worst(RESOLVED, CLOCK_RESOLUTION, told, "of the segment"),
         *(_worst(check, tolerances[check], errors) for check, errors in own.items()),
     )
 
