@@ -14,12 +14,12 @@ SURE = 1e-6  # relative: nearer than this to what is just possible, digits decid
 class Findings:
     """What is known of the times asked for.
 
-    `earliest` bounds by node what is possible there, `factors` by how much limits must give in legs of given
-    duration; `impossible` says why no law exists, `possible` that one surely does.
+    `earliest` bounds by node what is possible there, `factors`, by the first of them, by how much limits must give in legs
+    of given duration; `impossible` says why no law exists, `possible` that one surely does.
     """
 
     earliest: dict[str, tuple[float, float]] = field(default_factory=dict)
-    factors: list[tuple[float, float]] = field(default_factory=list)
+    factors: list[tuple[str, float, float]] = field(default_factory=list)
     impossible: str = ""
     possible: bool = True
 
@@ -74,7 +74,7 @@ def _advance(
     }
     if all(rest) and whole and len(fixed) == len(part):
         factor = run_factor(spec, part, list(fixed.values()))
-        found.factors.append(factor)
+        found.factors.append((f"{part[0].origin}-{part[0].target}", *factor))
         if factor[0] > 1 + SURE:
             found.impossible = (
                 f"{part[0].origin}-{part[-1].target} needs limits {factor[0]:.6g} times as large"

@@ -53,11 +53,33 @@ def straight(before: Leg, after: Leg, precision: float) -> bool | None:
     return None
 
 
+def passes_at(spec: Spec, legs: list[Leg]) -> list[bool | None]:
+    """Whether the body may pass each inner node; None too where half-turns cannot go straight on at all of them.
+
+    A half-turn may go either way round, but one way: between two other legs about its axis in opposite
+    senses it goes straight on at one of its ends only, and which is a matter of choice.
+    """
+    found = [straight(a, b, spec.precision) for a, b in pairwise(legs)]
+    first, sense, fixed = 0, 1.0, not legs[0].half
+    for place, (before, after) in enumerate(pairwise(legs)):
+        if not found[place]:
+            first, sense, fixed = place + 1, 1.0, not after.half
+            continue
+        sense *= float(np.sign(before.axis @ after.axis))
+        if after.half:
+            continue
+        if fixed and sense < 0:
+            found[first : place + 1] = [None] * (place + 1 - first)
+        first, sense, fixed = place + 1, 1.0, True
+    return found
+
+
 def runs(spec: Spec, legs: list[Leg], *, merge: bool) -> list[list[Leg]]:
     """The chains of legs between stops; what is not sure is `merge`d or not."""
     found = [[legs[0]]]
-    for place, (before, after) in enumerate(pairwise(legs), 1):
-        passes = straight(before, after, spec.precision)
+    passing = passes_at(spec, legs)
+    for place, after in enumerate(legs[1:], 1):
+        passes = passing[place - 1]
         stops = (
             spec.nodes.get(after.origin, {}).get("stop", False)
             or spec.dwell(after.origin, place, len(legs) + 1) > 0
@@ -71,7 +93,7 @@ def runs(spec: Spec, legs: list[Leg], *, merge: bool) -> list[list[Leg]]:
 
 def sure(spec: Spec, legs: list[Leg]) -> bool:
     """Whether it is plain at every node if the axis turns there."""
-    return all(straight(a, b, spec.precision) is not None for a, b in pairwise(legs))
+    return None not in passes_at(spec, legs)
 
 
 def loosest(run: list[Leg]) -> tuple[float, float, float, float]:

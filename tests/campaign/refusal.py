@@ -14,6 +14,7 @@ from tests.campaign.spec import Spec, number
 from tests.campaign.times import known_legs
 
 CONFIRMED, UNCONFIRMED, WRONG = "refused-confirmed", "refused-unconfirmed", "wrong"
+SEGMENT = re.compile(r"segments\.(\S+)\.duration: ")
 FACTOR = re.compile(r"limits would have to be (\S+) times as large")
 EARLY = re.compile(r"(\S+) s is too early for (?:arrival at (.+?)|the end): the earliest possible is (\S+) s")
 BRAKING = re.compile(r"takes (\S+)° at least under the limits; the run there has (\S+)°")
@@ -79,24 +80,27 @@ def judge_refusal(spec: Spec, message: str) -> tuple[str, str]:
         return UNCONFIRMED, "the tour is not known to the oracles"
     if spec.moving:
         return _judge_moving(spec, legs, factor, message)
-    return _judge_times(spec, legs, factor, message)
+    return _judge_times(spec, legs, message)
 
 
-def _judge_times(spec: Spec, legs: list[Leg], factor: float | None, message: str) -> tuple[str, str]:
+def _judge_times(spec: Spec, legs: list[Leg], message: str) -> tuple[str, str]:
     found = judge_times(spec, legs)
     if found.possible:
         return WRONG, "possible: " + _show(found)
     early = EARLY.search(message)
     if early is not None and (wrong := _wrong_earliest(spec, legs, found, early)):
         return WRONG, wrong
-    if factor is not None and (wrong := _wrong_factor(spec, legs, found, factor)):
-        return WRONG, wrong
+    for line in message.splitlines():
+        stated, place = FACTOR.search(line), SEGMENT.search(line)
+        where = place.group(1) if place else ""
+        if stated and (wrong := _wrong_factor(spec, legs, found, where, float(stated.group(1)))):
+            return WRONG, wrong
     return (CONFIRMED, found.impossible) if found.impossible else (UNCONFIRMED, _show(found))
 
 
 def _show(found: Findings) -> str:
     parts = [f"{label} from {low:.9g} to {high:.9g} s" for label, (low, high) in found.earliest.items()]
-    parts += [f"limits {low:.9g} to {high:.9g} times as large" for low, high in found.factors]
+    parts += [f"limits {low:.9g} to {high:.9g} times as large" for _, low, high in found.factors]
     return "; ".join(parts)
 
 
@@ -113,15 +117,16 @@ def _wrong_earliest(spec: Spec, legs: list[Leg], found: Findings, early: re.Matc
     return ""
 
 
-def _wrong_factor(spec: Spec, legs: list[Leg], found: Findings, factor: float) -> str:
-    """What is wrong with a factor that a message states."""
+def _wrong_factor(spec: Spec, legs: list[Leg], found: Findings, place: str, factor: float) -> str:
+    """What is wrong with a factor that a message states at a place."""
+    known = [(low, high) for key, low, high in found.factors if not place or key == place]
     if len(legs) == 1 and spec.total_time is not None:
         dwells = spec.dwell(legs[0].origin, 0, 2) + spec.dwell(legs[0].target, 1, 2)
-        found.factors.append(leg_factor(spec, legs[0], spec.total_time - dwells))
+        known.append(leg_factor(spec, legs[0], spec.total_time - dwells))
     elif spec.total_time is not None and not spec.legs and len(found.earliest) == 1:
         plain = [run for run in runs(spec, legs, merge=True) if min(loosest(run)[:3]) < inf]
-        found.factors.append((physical_factor(plain, spec.total_time), inf))
-    stated = [(low, high) for low, high in found.factors if high > 1]
+        known.append((physical_factor(plain, spec.total_time), inf))
+    stated = [(low, high) for low, high in known if high > 1]
     if not stated or len(found.earliest) > 1:
         return ""
     if any(low * (1 - SAME) <= factor <= high * (1 + SAME) for low, high in stated):

@@ -117,7 +117,7 @@ class RateRow:
 
     def rate_bound(self, order: int) -> float:
         """Bound over factor; infinite for other orders, and where the axis has no such component."""
-        return self.bound / abs(self.factor) if self.factor and order == self.order else inf
+        return self.bound / abs(float(self.factor)) if self.factor and order == self.order else inf
 
     def speed_limit(self) -> float:
         """The bound, if it is one on φ'."""

@@ -10,14 +10,17 @@ from timelaw.units import LEAST, MOST
 SHORTEST, LONGEST = 1e-9, 1e12  # s; cubes and fourth powers of times stay far from overflow
 BRIEFEST = 1e-30  # s; a piece of a segment, which may be as short as limits are apart
 NARROWEST = 1e-12  # rad; angle of a leg
-WIDEST = 1e30  # of a rate; squares of what follows from such numbers stay far from overflow
+WIDEST = 1e60  # of a rate; squares of what follows from such numbers stay far from overflow
+HEAVIEST = 1e30  # of a moment of inertia [kg·m²], or a momentum [N·m·s]
 LARGEST_ANGLE = 2 * pi  # rad; half a turn, and more where it is one within the precision of its nodes
 
 Number = Annotated[float, Field(allow_inf_nan=False)]
 Control = Annotated[float, Field(ge=-WIDEST, le=WIDEST)]
 Duration = Annotated[float, Field(ge=SHORTEST, le=LONGEST)]
 Vector3 = Annotated[list[Number], Field(min_length=3, max_length=3)]
-Moderate3 = Annotated[list[Control], Field(min_length=3, max_length=3)]  # a row of an inertia, a momentum
+Moderate3 = Annotated[  # a row of an inertia, a momentum
+    list[Annotated[float, Field(ge=-HEAVIEST, le=HEAVIEST)]], Field(min_length=3, max_length=3)
+]
 Vector4 = Annotated[list[Number], Field(min_length=4, max_length=4)]
 BoundsDocument = dict[str, Annotated[Any, AfterValidator(lambda value: _bound(value))]]
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from math import inf
 
 from timelaw.easing import Timing, smoothstep
 from timelaw.nlp.program import Program, RunProblem
@@ -10,11 +11,12 @@ from timelaw.nlp.solution import Solution, Status
 SAME_TIME = 2e-6  # relative: the gap that the solver is left with, and where the closed form is the optimum
 
 
-def solve_elastic(problem: RunProblem) -> Solution:
+def solve_elastic(problem: RunProblem, enough: float = inf) -> Solution:
     """The best of: the program from the closed form over the run, from stops at each node, closed form.
 
-    A solver's word is not taken: its law counts only if, stretched to hold the limits, it is at
-    least as fast as the closed-form law, which the basis contains.
+    Once it is clear that it takes more than `enough` [s] no better one is looked for. A solver's word is not
+    taken: its law counts only if, stretched to hold the limits, it is at least as fast as the closed-form
+    law, which the basis contains.
     """
     from timelaw.nlp.exchange import solve_from  # loads CasADi, which `timelaw verify` has no need of
 
@@ -23,9 +25,11 @@ def solve_elastic(problem: RunProblem) -> Solution:
         return known
     program, found = Program((problem,)), list[Solution]()
     for status, start in list_starts(problem):
-        solution = solve_from(program, start)
+        solution = solve_from(program, start, enough)
         if solution is None:
             continue
+        if solution.duration > enough and solution.status in (Status.OPTIMAL, Status.GAP_LEFT):
+            return _fastest([solution, known], known)
         optimal = solution.status is Status.OPTIMAL
         found.insert(0, replace(solution, status=status) if optimal else solution)
         if optimal and _plausible(solution, known):

@@ -8,6 +8,7 @@ allowed; where times are given, the program keeps a small margin from the limits
 
 from collections.abc import Sequence
 from dataclasses import replace
+from math import inf
 
 import numpy as np
 
@@ -28,18 +29,19 @@ ROUNDS = 12
 INSIDE = 1.01  # a start on the limits themselves costs an interior-point method many iterations
 
 
-def solve_from(program: Program, start: Sequence[Timing]) -> Solution | None:
+def solve_from(program: Program, start: Sequence[Timing], enough: float = inf) -> Solution | None:
     """Solve a program from given timings; None where the solver fails before it has any solution.
 
     A law that no stretch of time brings within the limits counts as a failure of the solver. Alike runs
-    are solved as one.
+    are solved as one. As soon as the limits at the points alone take more time than `enough` [s], what is
+    known is returned: no point that is added makes a law faster.
     """
     alike = merge_alike(program)
-    solution = _exchange(alike.program, alike.pick(start))
+    solution = _exchange(alike.program, alike.pick(start), enough)
     return None if solution is None else replace(solution, timings=alike.spread(solution.timings))
 
 
-def _exchange(program: Program, start: Sequence[Timing]) -> Solution | None:
+def _exchange(program: Program, start: Sequence[Timing], enough: float) -> Solution | None:
     """Solve, demand the limits where they are broken, and solve again."""
     units = np.array([timing.duration for timing in start])
     points, stay = list_points(program), list_stays(program)
@@ -73,6 +75,8 @@ def _exchange(program: Program, start: Sequence[Timing]) -> Solution | None:
         solution = Solution(timings, status, iterations, rounds, gap, transcription.rows)
         best = _better(program, best, solution)
         strayed = add_departures(stay, program, found)
+        if program.elastic and sum_durations(found) > enough:
+            break
         if not strayed and (
             gap <= GAP or not add_extrema(points, program, found, _used(program, outcome, scale))
         ):

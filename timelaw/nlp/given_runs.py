@@ -7,7 +7,7 @@ from math import inf
 import numpy as np
 
 from timelaw.easing import Profile, Timing
-from timelaw.easing.family import Family
+from timelaw.easing.family import Family, PolynomialFamily
 from timelaw.easing.time_scaling import used_fraction
 from timelaw.errors import Fault, InfeasibleError
 from timelaw.limits import Demand
@@ -39,10 +39,13 @@ def solve_given(problem: RunProblem) -> Solution:
     starts = list(list_starts(problem)) + ([(Status.SECOND_START, known.timings)] if known else [])
     if problem.run.moving:
         starts.append((Status.SECOND_START, _pace(problem, starts[0][1])))
-    solved = _solve_from_all(program, starts, known) if needed <= problem.run.angle else []
+    stays = needed <= problem.run.angle
+    solved = _solve_from_all(program, starts, known) if stays else []
+    if stays and not solved and known is None:
+        solved = _solve_from_least(problem, program)
     if solved or known:
         return min([*solved, *([known] if known else [])], key=lambda solution: solution.duration)
-    return solve_from_peak(program, [start for _, start in starts], problem.where)
+    return solve_from_peak(program, [start for _, start in starts], problem.where, stays=stays)
 
 
 def _solve_from_all(
@@ -62,6 +65,30 @@ def _solve_from_all(
     return solved
 
 
+def _solve_from_least(problem: RunProblem, program: Program) -> list[Solution]:
+    """From the law of the polynomials that have nothing but the rates at their nodes to choose.
+
+    Only where that stays on the arcs; itself too, if the family contains it.
+    """
+    from timelaw.nlp.exchange import solve_from
+
+    r = problem.family.continuity
+    least = PolynomialFamily(2 * r + 1, r)
+    if problem.family == least:
+        return []
+    try:
+        simple = solve_given(replace(problem, family=least))
+    except InfeasibleError:  # which says nothing about a richer family
+        return []
+    if simple.status is Status.BEYOND:
+        return []
+    found = solve_from(program, simple.timings)
+    solved = [replace(simple, status=Status.SIMPLER)] if isinstance(problem.family, PolynomialFamily) else []
+    if found is not None and holds_limits(program, found):
+        solved.append(replace(found, status=Status.SIMPLER) if found.status is Status.OPTIMAL else found)
+    return solved
+
+
 def _pace(problem: RunProblem, start: Sequence[Timing]) -> tuple[Timing, ...]:
     """A start in the time that the run takes at the mean speed of its ends, or as it is if that is longer."""
     mean = sum(problem.run.speeds) / 2
@@ -75,10 +102,12 @@ def _is_least(problem: RunProblem, solution: Solution) -> bool:
     return solution.duration <= problem.run.limit * (1 + SAME_TIME)
 
 
-def solve_from_peak(program: Program, starts: Sequence[Sequence[Timing]], where: str) -> Solution:
+def solve_from_peak(
+    program: Program, starts: Sequence[Sequence[Timing]], where: str, *, stays: bool = True
+) -> Solution:
     """From the law that uses the least part of the limits; that law itself where nothing better is found.
 
-    First on the arcs, with hardly any margin; then beyond them.
+    First on the arcs, with hardly any margin, unless it is known that no law `stays` there; then beyond them.
 
     Raises:
         InfeasibleError: the least part that was found is more than all of them.
@@ -86,7 +115,8 @@ def solve_from_peak(program: Program, starts: Sequence[Sequence[Timing]], where:
     from timelaw.nlp.exchange import solve_from
 
     factors = []
-    for tried in (replace(program, margin=LEAST_MARGIN), replace(program, beyond=FARTHEST)):
+    tries = (replace(program, margin=LEAST_MARGIN), replace(program, beyond=FARTHEST))
+    for tried in tries if stays else tries[1:]:
         least = find_least_peak(tried, starts)
         if least is None:
             continue

@@ -1,10 +1,11 @@
 """The law that makes the objective least: runs one by one, then all together where something ties them."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from math import inf
 
 from timelaw.easing import Timing
-from timelaw.easing.family import Family
+from timelaw.easing.family import Family, PolynomialFamily
 from timelaw.errors import Fault, InfeasibleError
 from timelaw.nlp.all_runs import list_deadlines, solve_together, solve_weighed
 from timelaw.nlp.program import RunProblem
@@ -17,6 +18,7 @@ from timelaw.requirements import Requirements
 from timelaw.route import Route
 
 SAME_DURATION = 1e-9
+MOST_FREE = 300  # coefficients of one run: beyond, a program takes minutes, and several may be needed
 
 
 def list_run_problems(route: Route, requirements: Requirements, family: Family) -> list[RunProblem]:
@@ -70,20 +72,67 @@ def _least_within(
     """The first family whose least time is near enough to the physical limit, or else the nearest.
 
     A family is given up as soon as its first runs take more than all of them may; which one is the nearest is
-    judged by the runs that were solved.
+    judged by the runs that were solved. The search ends at families too large for a run of so many legs; and
+    where runs begin or end moving, or have times, at one that gains less than half of what is near enough:
+    there the limit is one that need not be reached by any law.
     """
     kind, easing = problem.easing.kind, problem.easing
-    limit = sum(run.limit for run in requirements.by_run(route))
+    limit, within = sum(run.limit for run in requirements.by_run(route)), kind.allowed_excess(easing)
     families = list(kind.families(easing, problem.nodes.continuity))
     nearest, least_excess = families[0], inf
+    if len(families) > 1:
+        families = list(_drop_infeasible(families, route, requirements))
+        nearest = families[0]
     for family in families if len(families) > 1 else ():
         runs = list_run_problems(route, requirements, family)
-        solutions, excess = _solve_within(runs, limit * kind.allowed_excess(easing), progress)
+        if family != families[0] and max(sum(basis.free for basis in run.bases) for run in runs) > MOST_FREE:
+            continue
+        solutions, excess = _solve_within(runs, limit * within, progress)
         if solutions:
             return family, assign_solutions(runs, solutions)
-        if excess < least_excess:
+        gained = least_excess - excess
+        if gained > 0:
             nearest, least_excess = family, excess
+        if gained < within / 2 and not all(run.elastic for run in runs):
+            break
     return nearest, solve_runs(list_run_problems(route, requirements, nearest), progress)
+
+
+def _drop_infeasible(
+    families: Sequence[Family], route: Route, requirements: Requirements
+) -> Sequence[Family]:
+    """The families from the first one on that can do what is given.
+
+    A richer one may hold limits that a poorer one cannot; what physics forbids, none can: then the richest
+    polynomial says by how much.
+
+    Raises:
+        InfeasibleError: none of those that were tried does.
+    """
+    degrees = [family for family in families if isinstance(family, PolynomialFamily)]
+    splines = families[len(degrees) :]
+    tried = list(dict.fromkeys([families[0], degrees[len(degrees) // 2], degrees[-1], splines[1]]))
+    while tried:
+        family = tried.pop(0)
+        hard = [run for run in list_run_problems(route, requirements, family) if not run.elastic]
+        if family == families[0] and any(_is_impossible(run) for run in hard):
+            tried = [degrees[-1]]
+            continue
+        try:
+            list(solve_distinct(hard))
+        except InfeasibleError:
+            if not tried:
+                raise
+        else:
+            return families[families.index(family) :]
+    return families
+
+
+def _is_impossible(run: RunProblem) -> bool:
+    """Whether its legs have less time than physics needs for all of them."""
+    open_times = tuple(replace(demand, duration=None) for demand in run.demands)
+    given = sum(inf if demand.duration is None else demand.duration for demand in run.demands)
+    return given < replace(run.run, demands=open_times).limit * (1 - SAME_DURATION)
 
 
 def _solve_within(
@@ -99,7 +148,11 @@ def _solve_within(
     distinct = {run.key(): run for run in runs}
     solutions: list[Solution] = []
     excess = known = 0.0
-    for (key, run), solution in zip(distinct.items(), solve_distinct(runs, progress), strict=True):
+
+    def enough(run: RunProblem) -> float:
+        return run.run.limit + (allowed - excess) / count[run.key()]
+
+    for (key, run), solution in zip(distinct.items(), solve_distinct(runs, progress, enough), strict=True):
         solutions.append(solution)
         excess += count[key] * (solution.duration - run.run.limit)
         known += count[key] * run.run.limit

@@ -1,7 +1,9 @@
 """Solve every distinct run of a route once."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from math import inf
 
+from timelaw.errors import Fault, InfeasibleError
 from timelaw.nlp.elastic_runs import solve_elastic
 from timelaw.nlp.given_runs import solve_given
 from timelaw.nlp.program import RunProblem
@@ -14,13 +16,36 @@ def solve_runs(problems: Sequence[RunProblem], progress: Progress | None = None)
     return assign_solutions(problems, list(solve_distinct(problems, progress)))
 
 
-def solve_distinct(problems: Sequence[RunProblem], progress: Progress | None = None) -> Iterator[Solution]:
-    """Solutions of the distinct runs; `progress` hears of those solved, and how many there are."""
+def solve_distinct(
+    problems: Sequence[RunProblem],
+    progress: Progress | None = None,
+    enough: Callable[[RunProblem], float] = lambda _: inf,
+) -> Iterator[Solution]:
+    """Solutions of the distinct runs; `progress` hears of those solved, and how many there are.
+
+    Of a run that takes more than `enough` [s], asked for as its turn comes, no better one is looked for.
+
+    Raises:
+        InfeasibleError: runs with given times or rates have no solution, all of them told.
+    """
     distinct = list({problem.key(): problem for problem in problems}.values())
     for index, problem in enumerate(distinct):
         if progress is not None:
             progress("solving distinct runs", index, len(distinct))
-        yield solve_run(problem)
+        try:
+            yield solve_run(problem, enough(problem))
+        except InfeasibleError as error:
+            others = [other for other in distinct[index + 1 :] if not other.elastic]
+            raise InfeasibleError(*error.faults, *_list_faults(others)) from None
+
+
+def _list_faults(problems: Sequence[RunProblem]) -> Iterator[Fault]:
+    """What is wrong with those that have no solution."""
+    for problem in problems:
+        try:
+            solve_run(problem)
+        except InfeasibleError as error:
+            yield from error.faults
 
 
 def assign_solutions(problems: Sequence[RunProblem], solutions: Sequence[Solution]) -> Timings:
@@ -32,10 +57,10 @@ def assign_solutions(problems: Sequence[RunProblem], solutions: Sequence[Solutio
     return Timings(timings, tuple(solutions), of_run)
 
 
-def solve_run(problem: RunProblem) -> Solution:
-    """The fastest law over a run.
+def solve_run(problem: RunProblem, enough: float = inf) -> Solution:
+    """The fastest law over a run; any law once it is clear that the fastest takes more than `enough` [s].
 
     Raises:
         InfeasibleError: a run with given times or rates has no solution.
     """
-    return solve_elastic(problem) if problem.elastic else solve_given(problem)
+    return solve_elastic(problem, enough) if problem.elastic else solve_given(problem)

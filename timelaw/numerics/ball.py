@@ -33,6 +33,12 @@ class Ball:
         other = make_ball(other)
         return _round(self.value + other.value, self.error + other.error)
 
+    def __float__(self) -> float:
+        return self.value
+
+    def __bool__(self) -> bool:
+        return self.value != 0 or self.error != 0
+
     def __neg__(self) -> "Ball":
         return Ball(-self.value, self.error)
 
