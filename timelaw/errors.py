@@ -8,6 +8,7 @@ EXIT_FINDINGS = 1
 EXIT_BAD_INPUT = 2
 EXIT_INFEASIBLE = 3
 EXIT_INTERRUPTED = 130
+MOST_SHOWN = 500  # characters of what was given; a line of text on a screen or two, not the whole file
 
 
 @dataclass(frozen=True)
@@ -35,6 +36,11 @@ def list_some(names: Sequence[str], most: int = 6) -> str:
     """The first names of a list, and how many there are."""
     shown = ", ".join(names[:most])
     return shown if len(names) <= most else f"{shown}, … ({len(names)} in all)"
+
+
+def shorten(text: str, most: int = MOST_SHOWN) -> str:
+    """A text that was given, as a message shows it: a long one by its start and its length."""
+    return text if len(text) <= most else f"{text[:most]}… ({len(text)} characters)"
 
 
 class TimelawError(Exception):

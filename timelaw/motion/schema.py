@@ -11,6 +11,8 @@ SHORTEST, LONGEST = 1e-9, 1e12  # s; cubes and fourth powers of times stay far f
 BRIEFEST = 1e-30  # s; a piece of a segment, which may be as short as limits are apart
 NARROWEST = 1e-12  # rad; angle of a leg
 WIDEST = 1e30  # of a rate; squares of what follows from such numbers stay far from overflow
+MOST_KEYS = 100  # of limits and conventions, of which there are a dozen
+LONGEST_TEXT = 1000  # characters of a label or name, which stand in many messages
 LARGEST_ANGLE = 2 * pi  # rad; half a turn, and more where it is one within the precision of its nodes
 
 Number = Annotated[float, Field(allow_inf_nan=False)]
@@ -18,7 +20,10 @@ Control = Annotated[float, Field(ge=-WIDEST, le=WIDEST)]
 Duration = Annotated[float, Field(ge=SHORTEST, le=LONGEST)]
 Vector3 = Annotated[list[Number], Field(min_length=3, max_length=3)]
 Vector4 = Annotated[list[Number], Field(min_length=4, max_length=4)]
-BoundsDocument = dict[str, Annotated[Any, AfterValidator(lambda value: _bound(value))]]
+BoundsDocument = Annotated[
+    dict[str, Annotated[Any, AfterValidator(lambda value: _bound(value))]], Field(max_length=MOST_KEYS)
+]
+Text = Annotated[str, Field(max_length=LONGEST_TEXT)]
 
 
 def _bound(value: Any) -> Any:

@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+from timelaw.errors import shorten
 from timelaw.numerics.array import Array
 from timelaw.orientations.columns import Columns, find_columns
 from timelaw.orientations.forms import FORMS, Writing, find_fault, find_precision, make_quaternions
@@ -61,7 +62,9 @@ def _labels(header: list[str], rows: list[Row], path: Path) -> tuple[str, ...] |
         label = row[place] if place < len(row) else ""
         if not label or label in seen:
             raise make_fault(
-                f'label "{label}" stands in line {seen[label]} too' if label else "no label", path, line
+                f'label "{shorten(label)}" stands in line {seen[label]} too' if label else "no label",
+                path,
+                line,
             )
         seen[label] = line
     return tuple(seen)

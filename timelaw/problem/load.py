@@ -6,7 +6,7 @@ from typing import Any, get_args
 from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
-from timelaw.errors import Fault, InputError
+from timelaw.errors import Fault, InputError, shorten
 from timelaw.files import read_start, read_text
 from timelaw.problem.fields import quote, suggest
 from timelaw.problem.problem import NAME, Problem
@@ -15,6 +15,7 @@ from timelaw.problem.source import PROBLEM, KeyPath, Source, read
 
 VERSION = 1
 LAW_MARK = b'"timelaw-law"'  # in the first line of a law file, and in no other
+MOST_FAULTS = 100  # that are listed; nobody corrects more before trying again
 LABELLED: tuple[KeyPath, ...] = (("route", "tour"), ("nodes", "at"))  # lists and mappings of labels
 LABELS: tuple[KeyPath, ...] = (("route", "start"), ("route", "end"))
 
@@ -112,8 +113,10 @@ def _base(text: str) -> int:
 
 def translate(source: Source, error: ValidationError, model: type[BaseModel]) -> list[Fault]:
     """What a model says is wrong, with places in the source and in our words, in the order of the file."""
-    faults = [_fault(source, details, model) for details in error.errors()]
-    return sorted(faults, key=lambda f: (f.line or 0, f.column or 0))
+    faults = [_fault(source, details, model) for details in error.errors()[:MOST_FAULTS]]
+    faults.sort(key=lambda f: (f.line or 0, f.column or 0))
+    more = error.error_count() - len(faults)
+    return [*faults, source.fault((), f"{more} more faults")] if more else faults
 
 
 def _fault(source: Source, details: ErrorDetails, model: type[BaseModel]) -> Fault:
@@ -122,7 +125,7 @@ def _fault(source: Source, details: ErrorDetails, model: type[BaseModel]) -> Fau
     if kind == "extra_forbidden":
         fields = _model_at(model, where[:-1]).model_fields
         allowed = suggest(where[-1], [field.alias or name for name, field in fields.items()])
-        return source.fault(where[:-1], f'unknown key "{where[-1]}"; allowed: {allowed}').at(
+        return source.fault(where[:-1], f'unknown key "{shorten(str(where[-1]))}"; allowed: {allowed}').at(
             source.keys.get(where)
         )
     if kind == "missing":
