@@ -74,8 +74,8 @@ def _by_number(rows: list[Row], form: Form, columns: Sequence[int], path: Path) 
         return places, False
     odd = next((cell for cell in first if _is_value(cell)), None)
     if odd is not None:
-        listing = ", ".join(first)
-        message = f'columns {list(columns)} of the first row are {shorten(listing)}: "{shorten(odd)}" is no name of a column'
+        listing, odd = shorten(", ".join(first)), shorten(odd)
+        message = f'columns {list(columns)} of the first row are {listing}: "{odd}" is no name of a column'
         raise make_fault(f"{message}, and not all of them are numbers", path, line)
     _refuse_another_order(form, [cell.lower() for cell in first])
     return places, True

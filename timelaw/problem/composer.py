@@ -1,4 +1,4 @@
-"""YAML text → nodes and plain data within bounds: nothing that a few bytes blow up, every refusal with its place."""
+"""YAML text → nodes and plain data, within bounds: a few bytes blow nothing up, refusals have their place."""
 
 from typing import Any
 

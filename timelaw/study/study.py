@@ -11,7 +11,7 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import BeforeValidator, Field, ValidationError
 
-from timelaw.errors import InputError
+from timelaw.errors import InputError, shorten
 from timelaw.objectives import EFFORTS
 from timelaw.problem import Source
 from timelaw.problem.fields import Model, fault, one_of, quote
@@ -34,16 +34,13 @@ def _values(value: Any) -> tuple[Any, ...]:
     steps = value["steps"]
     if not isinstance(steps, int) or isinstance(steps, bool) or not 2 <= steps <= MOST_DESIGNS:
         raise fault(f"steps: {quote(steps)}; a whole number from 2 to {MOST_DESIGNS} is needed")
+    given = f"from {shorten(str(value['from']))} to {shorten(str(value['to']))}"
     ends = [WITH_UNIT.fullmatch(str(value[end]).strip()[:LONGEST]) for end in ("from", "to")]
     if ends[0] is None or ends[1] is None or ends[0].group(2) != ends[1].group(2):
-        raise fault(
-            f"from {quote(value['from'])} to {quote(value['to'])}; both need a number and the same unit"
-        )
+        raise fault(f"{given}; both need a number and the same unit")
     unit, first, last = ends[0].group(2), float(ends[0].group(1)), float(ends[1].group(1))
     if not max(abs(first), abs(last)) <= LARGEST:
-        raise fault(
-            f"from {quote(value['from'])} to {quote(value['to'])}; numbers up to {LARGEST:g} are allowed"
-        )
+        raise fault(f"{given}; numbers up to {LARGEST:g} are allowed")
     numbers = np.linspace(first, last, steps)
     if unit:
         return tuple(f"{number:.12g} {unit}" for number in numbers)
