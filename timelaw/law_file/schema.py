@@ -7,7 +7,7 @@ from pydantic import AfterValidator, BeforeValidator, FailFast, Field, model_val
 from timelaw.limits.body import EXTERNAL, WHEELS
 from timelaw.limits.torque import ACTUATORS
 from timelaw.motion.kinds import KINDS
-from timelaw.motion.schema import MOST_KEYS, BoundsDocument, Duration, Part, Text, Vector3
+from timelaw.motion.schema import BoundsDocument, Duration, Part, Text, Vector3, refuse_many
 
 if TYPE_CHECKING:
     SegmentDocument = Any
@@ -65,7 +65,7 @@ class LawDocument(Part):
     format: Literal["timelaw-law"]
     version: Annotated[Literal[2], BeforeValidator(_no_truth)]
     name: Text
-    conventions: Annotated[dict[str, str], Field(max_length=MOST_KEYS)]
+    conventions: Annotated[dict[str, str], BeforeValidator(refuse_many)]
     duration: Duration
     limits: BoundsDocument
     continuity: Annotated[int, Field(ge=0, le=4)] = 0

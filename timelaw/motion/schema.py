@@ -3,7 +3,7 @@
 from math import pi
 from typing import Annotated, Any
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field
+from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field
 
 from timelaw.units import LEAST, MOST
 
@@ -21,7 +21,8 @@ Duration = Annotated[float, Field(ge=SHORTEST, le=LONGEST)]
 Vector3 = Annotated[list[Number], Field(min_length=3, max_length=3)]
 Vector4 = Annotated[list[Number], Field(min_length=4, max_length=4)]
 BoundsDocument = Annotated[
-    dict[str, Annotated[Any, AfterValidator(lambda value: _bound(value))]], Field(max_length=MOST_KEYS)
+    dict[str, Annotated[Any, AfterValidator(lambda value: _bound(value))]],
+    BeforeValidator(lambda value: refuse_many(value)),
 ]
 Text = Annotated[str, Field(max_length=LONGEST_TEXT)]
 
@@ -33,6 +34,13 @@ def _bound(value: Any) -> Any:
         plain = isinstance(number, int | float) and not isinstance(number, bool)
         if not (plain and LEAST**2 <= number <= MOST**2):
             raise ValueError("a positive number, or three for the body axes, is needed")
+    return value
+
+
+def refuse_many(value: Any) -> Any:
+    """A mapping of few keys, before each of them is looked at and found wrong."""
+    if isinstance(value, dict) and len(value) > MOST_KEYS:
+        raise ValueError(f"{len(value)} keys; at most {MOST_KEYS} are allowed")
     return value
 
 
