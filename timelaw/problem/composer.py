@@ -40,8 +40,9 @@ class BoundedComposer(Composer):
         """The document, if there is one."""
         try:
             return super().get_single_node()
-        except OTHERS as error:
-            raise ComposerError(None, None, str(error), self.loader.reader.get_mark()) from None
+        except OTHERS:
+            message = "an escape or directive here has a number that is out of range"
+            raise ComposerError(None, None, message, self.loader.reader.get_mark()) from None
 
     def compose_document(self) -> Any:
         """The one document, of YAML 1.2."""
