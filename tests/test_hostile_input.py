@@ -3,8 +3,6 @@
 import json
 import os
 import socket
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
@@ -24,7 +22,6 @@ from timelaw.study.study import read_study
 HEAD = "timelaw: 1\nname: scan\nroute: {orientations: {lattice: 24-cell}, tour: paper}\nlimits: {jerk: 9 rad/s^3}\n"
 READERS = (load_problem, read_study, read_law, read_table)
 ROOT = Path(__file__).parent.parent
-MOST_MEMORY = 1000  # MB
 
 
 def chain(links: int, inner: str) -> str:
@@ -36,7 +33,7 @@ def chain(links: int, inner: str) -> str:
 
 YAML = {
     "merge keys": (HEAD + chain(9, "{{<<: [{}]}}"), "6:10: not readable as YAML: a merge key (<<); write the keys that it stands for out here"),
-    "aliases": (HEAD + chain(9, "[{}]"), "10:20: not readable as YAML: more than 100000 values; orientations may stand in a table (file: …)"),
+    "aliases": (HEAD + chain(9, "[{}]"), "10:20: not readable as YAML: more than 100000 keys and values; orientations may stand in a table (file: …)"),
     "deep aliases": ("a0: &a0 [1]\n" + "".join(f"a{i}: &a{i} [*a{i - 1}]\n" for i in range(1, 999)), "49:12: not readable as YAML: nested too deeply; 50 lists and mappings inside each other are allowed"),
     "brackets": ("[" * (MAX_BYTES - 1), "1:51: not readable as YAML: nested too deeply; 50 lists and mappings inside each other are allowed"),
     "dashes": ("- " * (MAX_BYTES // 2 - 1), "1:101: not readable as YAML: nested too deeply; 50 lists and mappings inside each other are allowed"),
@@ -70,7 +67,7 @@ def test_a_hundred_faults_are_listed():
     with pytest.raises(InputError) as error:
         parse_problem(HEAD + "".join(f"u{i}: 1\n" for i in range(3000)), "scan.yaml")
     assert len(error.value.faults) == 101
-    assert str(error.value.faults[-1]) == "scan.yaml:1:1: 2900 more faults"
+    assert str(error.value.faults[-1]) == "scan.yaml: 2900 more faults"
 
 
 def test_aliases_and_dates_work_as_they_look():
@@ -208,41 +205,6 @@ def test_laws(tmp_path, case, capsys):
     assert len(error.value.faults) == 1
     assert _run(["verify", str(path), "--json"]) == 2
     assert json.loads(capsys.readouterr().out)["exit_code"] == 2
-
-
-PROBE = """
-import resource, sys
-from pathlib import Path
-from timelaw.errors import TimelawError
-from {module} import {read}
-try:
-    {read}(Path(sys.argv[1]))
-    print("read")
-except TimelawError as error:
-    print(len(error.faults))
-print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss // 1024)
-"""
-LAW, TABLE, PROBLEM = ("timelaw.law_file", "read_law"), ("timelaw.orientations.table", "read_table"), ("timelaw.problem", "load_problem")  # fmt: skip
-HEAVY = {
-    "ten thousand arcs of a kilobyte": (LAW, lambda: law(segments=[SEGMENT | {"pieces": SEGMENT["pieces"] * 3}] * 10_000), "read"),
-    "small objects": (LAW, lambda: "[" + '{"":0},' * (MOST_PARTS // 2 - 2) + "{}]", "1"),
-    "keys": (LAW, lambda: "{" + ",".join(f'"k{i}":0' for i in range(MOST_PARTS - 9)) + "}", "7"),
-    "half a million rows": (TABLE, lambda: "w,x,y,z\n" + "0.6000000000000000000,0.8000000000000000000,0.000000000000000000000,0.00000000000000000\n" * 490_000, "read"),
-    "values": (PROBLEM, lambda: HEAD + "x: [" + "1, " * 600_000 + "1]\n", "1"),
-    "merge keys": (PROBLEM, lambda: HEAD + chain(1000, "{{<<: [{}]}}"), "1"),
-}  # fmt: skip
-
-
-@pytest.mark.parametrize("case", HEAVY)
-def test_memory_stays_below_a_gigabyte(tmp_path, case):
-    (module, read), make, answer = HEAVY[case]
-    path = tmp_path / "input"
-    path.write_text(make())
-    script = PROBE.format(module=module, read=read)
-    done = subprocess.run([sys.executable, "-c", script, path], capture_output=True, text=True, check=True)
-    said, memory = done.stdout.split()
-    assert said == answer
-    assert int(memory) < MOST_MEMORY
 
 
 def test_unreadable_files(tmp_path):

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from pydantic import ValidationError
 
-from timelaw.errors import Fault, InputError, shorten
+from timelaw.errors import Fault, InputError, list_first, shorten
 from timelaw.law_file.schema import BodyDocument, LawDocument
 from timelaw.limits import LIMITS
 from timelaw.limits.body import EXTERNAL, RigidBody
@@ -18,7 +18,6 @@ from timelaw.motion.segment import RATES
 
 FORMAT = "timelaw-law"
 VERSION = 2
-MOST_FAULTS = 100  # that are listed
 CONVENTIONS = {
     "quaternion": "wxyz, Hamilton, active, body to world",
     "rates": "body axes",
@@ -58,7 +57,8 @@ def from_document(document: Any, path: str = "") -> QuaternionLaw:
     try:
         read = LawDocument.model_validate(document)
     except ValidationError as error:
-        raise InputError(*_list_faults(error, path)) from None
+        found = (_fault(details, path) for details in error.errors(include_url=False))
+        raise InputError(*list_first(found, error.error_count(), path)) from None
     if read.conventions != CONVENTIONS:
         raise InputError(
             Fault(f"{shorten(str(read.conventions))}; allowed: {CONVENTIONS}", "conventions", path)
@@ -101,13 +101,6 @@ def _check_limits(limits: Mapping[str, Any], body: RigidBody | None, path: str) 
         reason = LIMITS[name].contradiction(bounds, body or POINT)
         if reason:
             raise InputError(Fault(reason, f"limits.{name}", path))
-
-
-def _list_faults(error: ValidationError, path: str) -> list[Fault]:
-    """What a model says is wrong."""
-    faults = [_fault(details, path) for details in error.errors(include_url=False)[:MOST_FAULTS]]
-    more = error.error_count() - len(faults)
-    return [*faults, Fault(f"{more} more faults", "", path)] if more else faults
 
 
 def _fault(details: Any, path: str) -> Fault:

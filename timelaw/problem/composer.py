@@ -10,7 +10,7 @@ from ruamel.yaml.nodes import Node
 from ruamel.yaml.reader import ReaderError
 from ruamel.yaml.scanner import Scanner, ScannerError
 
-MOST_VALUES = 100_000  # aliases written out; 5000 rotation matrices are half of it, and read in 3 s
+MOST_VALUES = 100_000  # and keys, aliases written out: 5 s; 5000 rotation matrices are half of it
 DEEPEST = 50  # lists and mappings inside each other; problem files need six
 MERGE, DATE = "tag:yaml.org,2002:merge", "tag:yaml.org,2002:timestamp"
 VERSIONS = (None, (1, 2))
@@ -77,7 +77,7 @@ class BoundedComposer(Composer):
     def _refuse_more(self, height: int, event: Event) -> None:
         """Too many values, or too deep ones."""
         if self.count > MOST_VALUES:
-            message = f"more than {MOST_VALUES} values; orientations may stand in a table (file: …)"
+            message = f"more than {MOST_VALUES} keys and values; orientations may stand in a table (file: …)"
             raise ComposerError(None, None, message, event.start_mark)
         if self.level + height - 1 > DEEPEST:
             message = f"nested too deeply; {DEEPEST} lists and mappings inside each other are allowed"

@@ -6,7 +6,7 @@ from typing import Any, get_args
 from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
-from timelaw.errors import Fault, InputError, shorten
+from timelaw.errors import Fault, InputError, list_first, shorten
 from timelaw.files import read_start, read_text
 from timelaw.problem.fields import quote, suggest
 from timelaw.problem.problem import NAME, Problem
@@ -15,7 +15,7 @@ from timelaw.problem.source import PROBLEM, KeyPath, Source, read
 
 VERSION = 1
 LAW_MARK = b'"timelaw-law"'  # in the first line of a law file, and in no other
-MOST_FAULTS = 100  # that are listed; nobody corrects more before trying again
+BEYOND = 10**9  # the line after which faults without one are listed
 LABELLED: tuple[KeyPath, ...] = (("route", "tour"), ("nodes", "at"))  # lists and mappings of labels
 LABELS: tuple[KeyPath, ...] = (("route", "start"), ("route", "end"))
 
@@ -103,7 +103,7 @@ def refuse_numbers_for_labels(source: Source) -> None:
             message = f"{text} without quotes is the number {int(text.replace('_', ''), _base(text))}; {hint}"
             faults.append(source.fault(where, message, at_key=where[:-1] == ("nodes", "at")))
     if faults:
-        raise InputError(*faults)
+        raise InputError(*list_first(faults, len(faults), source.path))
 
 
 def _base(text: str) -> int:
@@ -113,10 +113,9 @@ def _base(text: str) -> int:
 
 def translate(source: Source, error: ValidationError, model: type[BaseModel]) -> list[Fault]:
     """What a model says is wrong, with places in the source and in our words, in the order of the file."""
-    faults = [_fault(source, details, model) for details in error.errors()[:MOST_FAULTS]]
-    faults.sort(key=lambda f: (f.line or 0, f.column or 0))
-    more = error.error_count() - len(faults)
-    return [*faults, source.fault((), f"{more} more faults")] if more else faults
+    found = (_fault(source, details, model) for details in error.errors(include_url=False))
+    faults = list_first(found, error.error_count(), source.path)
+    return sorted(faults, key=lambda f: (f.line or BEYOND, f.column or 0))
 
 
 def _fault(source: Source, details: ErrorDetails, model: type[BaseModel]) -> Fault:
