@@ -150,6 +150,7 @@ TABLES = {
     "carriage returns": ("w,x,y,z\n" + "\r" * 500_001, ": 500001 lines; at most 500000 are allowed"),
     "cells": ("w,x,y,z\n1,0,0,0" + "," * 5_000_000, ": 5000008 cells; at most 5000000 are allowed"),
     "columns": (",".join(f"c{i}" for i in range(2000)), ": 2000 columns; at most 1000 are allowed"),
+    "a long label": ("label,w,x,y,z\n" + "a" * 1001 + ",1,0,0,0\nb,0,1,0,0\n", ":2:1: a label of 1001 characters; at most 1000 are allowed"),
     "a long number": ("w,x,y,z\n" + "1" * 100_000 + ",0,0,0\n", f':2:1: "{"1" * 500}… (100000 characters)" is out of range; 1e+09 at most is allowed'),
     "a long cell": ("w,x,y,z\n" + "1" * 200_000 + ",0,0,0\n", ":2:1: not readable as CSV: field larger than field limit (131072)"),
     "NUL": ("w,x,y,z\n\0,0,0,0\n", ':2:1: "\0" is not a number'),

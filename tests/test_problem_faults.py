@@ -118,7 +118,7 @@ def test_files_that_cannot_be_read(tmp_path):
     with pytest.raises(InputError, match=r"none\.yaml: cannot be read: No such file or directory"):
         load_problem(tmp_path / "none.yaml")
     (tmp_path / "latin.yaml").write_bytes("name: Grüße".encode("latin-1"))
-    with pytest.raises(InputError, match=r"latin\.yaml: is not a UTF-8 text"):
+    with pytest.raises(InputError, match=r"latin\.yaml:1:9: is not a UTF-8 text"):
         load_problem(tmp_path / "latin.yaml")
     with pytest.raises(InputError, match="cannot be read: Is a directory"):
         load_problem(tmp_path)

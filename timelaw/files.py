@@ -16,6 +16,8 @@ OTHER_KINDS = {  # what has no end, or gives nothing until somebody writes; a fo
     stat.S_IFCHR: "a device",
     stat.S_IFBLK: "a device",
 }
+WIDE = (b"\xff\xfe", b"\xfe\xff")  # how a text of two or four bytes a character begins
+LONGEST_LABEL = 1000  # characters of a label or name in any file; they stand in many messages
 START = 1000  # bytes, in which a file shows of what kind it is
 
 
@@ -67,10 +69,14 @@ def read_text(path: Path, most: int = MAX_BYTES) -> str:
     Raises:
         InputError: it is larger, cannot be read, or is no text.
     """
+    content = read_bytes(path, most)
     try:
-        return read_bytes(path, most).decode("utf-8-sig")
-    except UnicodeDecodeError:
-        raise InputError(Fault("is not a UTF-8 text", "", str(path))) from None
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        before = content[: error.start]
+        line, column = before.count(b"\n") + 1, error.start - before.rfind(b"\n")
+        hint = "; it seems to be UTF-16 or UTF-32: save it as UTF-8" if content[:2] in WIDE else ""
+        raise InputError(Fault(f"is not a UTF-8 text{hint}", "", str(path), line, column)) from None
 
 
 def replace_unbounded(data: Any) -> Any:

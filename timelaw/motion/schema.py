@@ -5,6 +5,7 @@ from typing import Annotated, Any
 
 from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field
 
+from timelaw.files import LONGEST_LABEL
 from timelaw.units import LEAST, MOST
 
 SHORTEST, LONGEST = 1e-9, 1e12  # s; cubes and fourth powers of times stay far from overflow
@@ -12,7 +13,6 @@ BRIEFEST = 1e-30  # s; a piece of a segment, which may be as short as limits are
 NARROWEST = 1e-12  # rad; angle of a leg
 WIDEST = 1e30  # of a rate; squares of what follows from such numbers stay far from overflow
 MOST_KEYS = 100  # of limits and conventions, of which there are a dozen
-LONGEST_TEXT = 1000  # characters of a label or name, which stand in many messages
 LARGEST_ANGLE = 2 * pi  # rad; half a turn, and more where it is one within the precision of its nodes
 
 Number = Annotated[float, Field(allow_inf_nan=False)]
@@ -24,7 +24,7 @@ BoundsDocument = Annotated[
     dict[str, Annotated[Any, AfterValidator(lambda value: _bound(value))]],
     BeforeValidator(lambda value: refuse_many(value)),
 ]
-Text = Annotated[str, Field(max_length=LONGEST_TEXT)]
+Text = Annotated[str, Field(max_length=LONGEST_LABEL)]
 
 
 def _bound(value: Any) -> Any:

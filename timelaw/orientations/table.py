@@ -3,6 +3,7 @@
 from pathlib import Path
 
 from timelaw.errors import shorten
+from timelaw.files import LONGEST_LABEL
 from timelaw.numerics.array import Array
 from timelaw.orientations.columns import Columns, find_columns
 from timelaw.orientations.forms import FORMS, Writing, find_fault, find_precision, make_quaternions
@@ -66,5 +67,8 @@ def _labels(header: list[str], rows: list[Row], path: Path) -> tuple[str, ...] |
                 path,
                 line,
             )
+        if len(label) > LONGEST_LABEL:
+            message = f"a label of {len(label)} characters; at most {LONGEST_LABEL} are allowed"
+            raise make_fault(message, path, line)
         seen[label] = line
     return tuple(seen)
