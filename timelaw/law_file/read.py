@@ -29,31 +29,29 @@ def read_law(path: Path) -> tuple[QuaternionLaw, dict[str, Any]]:
     Raises:
         InputError: the file cannot be read, is not JSON, or is not a law file of this version.
     """
-    try:
-        text = read_text(path, MAX_BYTES)
-        parts = sum(map(text.count, "[{,"))
-        if parts > MOST_PARTS:  # three bytes can take as much memory as a number of twenty
-            raise InputError(Fault(f"{parts} values; at most {MOST_PARTS} are allowed", "", str(path)))
-        document = json.loads(
-            text,
-            parse_constant=_number,
-            parse_float=_number,
-            parse_int=_whole,
-            object_pairs_hook=_once,
-        )
-    except json.JSONDecodeError as error:
-        _refuse_other_kinds(text, path)
-        raise InputError(
-            Fault(f"not readable as JSON: {error.msg}", "", str(path), error.lineno, error.colno)
-        ) from None
-    except (ValueError, RecursionError) as error:
-        what = "nested too deeply" if isinstance(error, RecursionError) else str(error)
-        raise InputError(Fault(f"not readable as JSON: {what}", "", str(path))) from None
+    document = _parse(read_text(path, MAX_BYTES), path)
     if not isinstance(document, dict):
         raise InputError(Fault("not a law file: its content is not an object", "", str(path)))
     if "format" not in document:  # JSON is YAML too
         _refuse_other_kinds("\n".join(f"{key}:" for key in OTHER_KINDS if key in document), path)
     return from_document(document, str(path)), document
+
+
+def _parse(text: str, path: Path) -> Any:
+    """Plain data of a JSON text."""
+    parts = sum(map(text.count, "[{,"))
+    if parts > MOST_PARTS:  # three bytes can take as much memory as a number of twenty
+        raise InputError(Fault(f"{parts} values; at most {MOST_PARTS} are allowed", "", str(path)))
+    hooks: dict[str, Any] = {"parse_constant": _number, "parse_float": _number, "parse_int": _whole}
+    try:
+        return json.loads(text, object_pairs_hook=_once, **hooks)
+    except json.JSONDecodeError as error:
+        _refuse_other_kinds(text, path)
+        message = f"not readable as JSON: {error.msg}"
+        raise InputError(Fault(message, "", str(path), error.lineno, error.colno)) from None
+    except (ValueError, RecursionError) as error:
+        what = "nested too deeply" if isinstance(error, RecursionError) else str(error)
+        raise InputError(Fault(f"not readable as JSON: {what}", "", str(path))) from None
 
 
 def _refuse_other_kinds(text: str, path: Path) -> None:
