@@ -171,7 +171,7 @@ def test_malformed_law_files(tmp_path, text, case):
         (b'{"a": 1e999}', ": not readable as JSON: 1e999 is not a finite number"),
         (b'{"a": 1' + b"0" * 400 + b"}", f": not readable as JSON: 1{'0' * 400} is not a finite number"),
         (b"[]", ": not a law file: its content is not an object"),
-        (b"\xff\xfe\x00", ": is not a UTF-8 text"),
+        (b"\xff\xfe\x00", ":1:1: is not a UTF-8 text; it seems to be UTF-16 or UTF-32: save it as UTF-8"),
     ],
 )
 def test_files_that_are_no_law_files(tmp_path, content, message):

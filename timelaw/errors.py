@@ -1,13 +1,16 @@
 """The errors a user can cause, each with its exit code; everything else is a defect of ours."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
+from itertools import islice
 
 EXIT_DONE = 0
 EXIT_FINDINGS = 1
 EXIT_BAD_INPUT = 2
 EXIT_INFEASIBLE = 3
 EXIT_INTERRUPTED = 130
+MOST_FAULTS = 100  # of a file that are listed; nobody corrects more before trying again
+MOST_SHOWN = 500  # characters of what was given; a line of text on a screen or two, not the whole file
 
 
 @dataclass(frozen=True)
@@ -35,6 +38,18 @@ def list_some(names: Sequence[str], most: int = 6) -> str:
     """The first names of a list, and how many there are."""
     shown = ", ".join(names[:most])
     return shown if len(names) <= most else f"{shown}, … ({len(names)} in all)"
+
+
+def shorten(text: str, most: int = MOST_SHOWN) -> str:
+    """A text that was given, as a message shows it: a long one by its start and its length."""
+    return text if len(text) <= most else f"{text[:most]}… ({len(text)} characters)"
+
+
+def list_first(faults: Iterable[Fault], count: int, path: str) -> list[Fault]:
+    """The first of so many faults of a file, and how many more there are."""
+    kept = list(islice(faults, MOST_FAULTS))
+    more = count - len(kept)
+    return [*kept, Fault(f"{more} more faults", "", path)] if more else kept
 
 
 class TimelawError(Exception):

@@ -1,6 +1,7 @@
 """Files whole: read up to a size, written whole or not at all, texts and bytes; plain data for JSON."""
 
 import os
+import stat
 import tempfile
 from math import isfinite
 from pathlib import Path
@@ -8,9 +9,15 @@ from typing import Any
 
 from timelaw.errors import Fault, InputError
 
-MAX_BYTES = 10_000_000  # far above any real problem file; a wrong file is refused before it is parsed
-
-
+MAX_BYTES = 2_000_000  # of YAML, of which the slowest reads in 5 s; 5000 rotation matrices are half of it
+OTHER_KINDS = {  # what has no end, or gives nothing until somebody writes; a folder is refused when opened
+    stat.S_IFIFO: "a pipe",
+    stat.S_IFSOCK: "a socket",
+    stat.S_IFCHR: "a device",
+    stat.S_IFBLK: "a device",
+}
+WIDE = (b"\xff\xfe", b"\xfe\xff")  # how a text of two or four bytes a character begins
+LONGEST_LABEL = 1000  # characters of a label or name in any file; they stand in many messages
 START = 1000  # bytes, in which a file shows of what kind it is
 
 
@@ -20,7 +27,7 @@ def read_start(path: Path) -> bytes:
     Raises:
         InputError: it cannot be read.
     """
-    return _read(path, START)
+    return _read(path, START, start=True)
 
 
 def read_bytes(path: Path, most: int = MAX_BYTES) -> bytes:
@@ -29,16 +36,27 @@ def read_bytes(path: Path, most: int = MAX_BYTES) -> bytes:
     Raises:
         InputError: it is larger or cannot be read.
     """
-    content = _read(path, most + 1)
+    content = _read(path, most)
     if len(content) > most:
-        raise InputError(Fault(f"larger than {most // 1_000_000} MB", "", str(path)))
+        raise _too_large(path, most)
     return content
 
 
-def _read(path: Path, most: int) -> bytes:
+def _too_large(path: Path, most: int) -> InputError:
+    return InputError(Fault(f"larger than {most // 1_000_000} MB, which is the most allowed", "", str(path)))
+
+
+def _read(path: Path, most: int, *, start: bool = False) -> bytes:
+    """One byte more than `most` of a file that has more; only its start, if that is asked for."""
     try:
+        status = path.stat()
+        kind = OTHER_KINDS.get(stat.S_IFMT(status.st_mode))
+        if kind is not None:  # before it is opened: that may wait for ever, and a device has no end
+            raise InputError(Fault(f"cannot be read: it is {kind}; a regular file is needed", "", str(path)))
+        if status.st_size > most and not start:
+            raise _too_large(path, most)
         with path.open("rb") as file:
-            return file.read(most)
+            return file.read(most + 1)
     except OSError as error:
         raise InputError(Fault(f"cannot be read: {error.strerror or error}", "", str(path))) from None
     except ValueError as error:  # a name that no file can have
@@ -51,10 +69,14 @@ def read_text(path: Path, most: int = MAX_BYTES) -> str:
     Raises:
         InputError: it is larger, cannot be read, or is no text.
     """
+    content = read_bytes(path, most)
     try:
-        return read_bytes(path, most).decode("utf-8-sig")
-    except UnicodeDecodeError:
-        raise InputError(Fault("is not a UTF-8 text", "", str(path))) from None
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        before = content[: error.start]
+        line, column = before.count(b"\n") + 1, error.start - before.rfind(b"\n")
+        hint = "; it seems to be UTF-16 or UTF-32: save it as UTF-8" if content[:2] in WIDE else ""
+        raise InputError(Fault(f"is not a UTF-8 text{hint}", "", str(path), line, column)) from None
 
 
 def replace_unbounded(data: Any) -> Any:

@@ -9,8 +9,11 @@ import re
 from dataclasses import dataclass
 from fractions import Fraction
 
+from timelaw.errors import shorten
+
 LEAST, MOST = 1e-9, 1e9  # in SI; no body is that slow or fast, and cubes of times stay far from overflow
 
+LONGEST = 1000  # characters of a quantity; a number may have all its digits
 Dimension = tuple[int, int, int, int]  # exponents of angle, second, metre, kilogram
 
 
@@ -58,7 +61,7 @@ _UNITS: dict[str, tuple[Fraction | float, Dimension]] = {
     "N": (Fraction(1), (0, -2, 1, 1)),
     "mN": (Fraction(1, 1000), (0, -2, 1, 1)),
 }
-_NUMBER = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*$", re.DOTALL)
+_NUMBER = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*)", re.DOTALL)
 _FACTOR = re.compile(r"([A-Za-z°]+)(?:(?:\^|\*\*)([+-]?\d))?$")
 _SUPERSCRIPTS = str.maketrans({"²": "^2", "³": "^3", "⁴": "^4", "·": "*", "⋅": "*"})
 
@@ -69,9 +72,9 @@ def parse_quantity(text: str, kind: Kind) -> float:
     Raises:
         ValueError: with what is wrong, without the place.
     """
-    match = _NUMBER.match(text)
+    match = _NUMBER.fullmatch(text) if len(text := text.strip()) <= LONGEST else None
     if match is None:
-        raise ValueError(f'"{text}" is not {kind.name}; write it like "{kind.example}"')
+        raise ValueError(f'"{shorten(text)}" is not {kind.name}; write it like "{kind.example}"')
     number, unit = match.groups()
     if not unit:
         raise ValueError(f'"{text}" has no unit; write {kind.name} like "{kind.example}"')

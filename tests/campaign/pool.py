@@ -100,8 +100,11 @@ class Pool:
         one.process.join()
         if sent is not None:
             return sent
-        job = one.job
-        case = make_case(job.seed, job.number, small=job.small)
         if late or one.process.exitcode == -signal.SIGPROF:
-            return case, Result(HANG, [f"more than {self.limit:g} s of CPU time"], seconds=self.limit)
-        return case, Result(TRACEBACK, [f"the process ended with {one.process.exitcode}"])
+            return self.give_up(one.job, HANG, f"more than {self.limit:g} s of CPU time", self.limit)
+        return self.give_up(one.job, TRACEBACK, f"the process ended with {one.process.exitcode}")
+
+    def give_up(self, job: Job, verdict: str, finding: str, seconds: float = 0.0):
+        """The result of a job whose process has ended without one."""
+        case = make_case(job.seed, job.number, small=job.small)
+        return case, Result(verdict, [finding], seconds=seconds)

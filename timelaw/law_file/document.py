@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from pydantic import ValidationError
 
-from timelaw.errors import Fault, InputError
+from timelaw.errors import Fault, InputError, list_first, shorten
 from timelaw.law_file.schema import BodyDocument, LawDocument
 from timelaw.limits import LIMITS
 from timelaw.limits.body import EXTERNAL, RigidBody, find_impossibility
@@ -57,9 +57,12 @@ def from_document(document: Any, path: str = "") -> QuaternionLaw:
     try:
         read = LawDocument.model_validate(document)
     except ValidationError as error:
-        raise InputError(*(_fault(details, path) for details in error.errors())) from None
+        found = (_fault(details, path) for details in error.errors(include_url=False))
+        raise InputError(*list_first(found, error.error_count(), path)) from None
     if read.conventions != CONVENTIONS:
-        raise InputError(Fault(f"{read.conventions}; allowed: {CONVENTIONS}", "conventions", path))
+        raise InputError(
+            Fault(f"{shorten(str(read.conventions))}; allowed: {CONVENTIONS}", "conventions", path)
+        )
     body = _read_body(read.body, path) if read.body else None
     if not read.limits:
         raise InputError(Fault("at least one limit is needed, or there is nothing to prove", "limits", path))
@@ -94,7 +97,9 @@ def _read_body(body: BodyDocument, path: str) -> RigidBody:
 def _check_limits(limits: Mapping[str, Any], body: RigidBody | None, path: str) -> None:
     for name, bounds in limits.items():
         if name not in LIMITS:
-            raise InputError(Fault(f'unknown limit "{name}"; known: {", ".join(LIMITS)}', "limits", path))
+            raise InputError(
+                Fault(f'unknown limit "{shorten(name)}"; known: {", ".join(LIMITS)}', "limits", path)
+            )
         if LIMITS[name].needs_inertia and body is None:
             raise InputError(Fault(f'a limit on the {name} needs "body": {{"inertia": …}}', "limits", path))
         reason = LIMITS[name].contradiction(bounds, body or POINT)
@@ -106,4 +111,4 @@ def _fault(details: Any, path: str) -> Fault:
     location = details["loc"]
     named = [p for i, p in enumerate(location) if not (p in KINDS and i and isinstance(location[i - 1], int))]
     where = "".join(f"[{p}]" if isinstance(p, int) else f".{p}" for p in named).lstrip(".")
-    return Fault(details["msg"], where, path)
+    return Fault(shorten(details["msg"]), shorten(where), path)

@@ -2,12 +2,12 @@
 
 from typing import TYPE_CHECKING, Annotated, Any, Literal, Self, Union
 
-from pydantic import AfterValidator, BeforeValidator, Field, model_validator
+from pydantic import AfterValidator, BeforeValidator, FailFast, Field, model_validator
 
 from timelaw.limits.body import EXTERNAL, WHEELS
 from timelaw.limits.torque import ACTUATORS
 from timelaw.motion.kinds import KINDS
-from timelaw.motion.schema import BoundsDocument, Duration, Moderate3, Part, Vector3
+from timelaw.motion.schema import BoundsDocument, Duration, Moderate3, Part, Text, Vector3, refuse_many
 
 if TYPE_CHECKING:
     SegmentDocument = Any
@@ -64,11 +64,13 @@ class LawDocument(Part):
 
     format: Literal["timelaw-law"]
     version: Annotated[Literal[2], BeforeValidator(_no_truth)]
-    name: str
-    conventions: dict[str, str]
+    name: Text
+    conventions: Annotated[dict[str, str], BeforeValidator(refuse_many)]
     duration: Duration
     limits: BoundsDocument
     continuity: Annotated[int, Field(ge=0, le=4)] = 0
     body: BodyDocument | None = None
     outside: OutsideDocument | None = None
-    segments: Annotated[list[Annotated[SegmentDocument, Field(discriminator="kind")]], Field(min_length=1)]
+    segments: Annotated[
+        list[Annotated[SegmentDocument, Field(discriminator="kind")]], Field(min_length=1), FailFast()
+    ]

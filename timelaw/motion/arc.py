@@ -8,7 +8,7 @@ from itertools import pairwise
 from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
-from pydantic import Field
+from pydantic import FailFast, Field
 
 from timelaw.easing.profile import Piece, Profile, Side
 from timelaw.limits import Bounds, Limit, list_rows
@@ -24,6 +24,7 @@ from timelaw.motion.schema import (
     Duration,
     Number,
     Part,
+    Text,
     Vector3,
     Vector4,
 )
@@ -49,8 +50,8 @@ class ArcDocument(Part):
     """What a law file says of an arc."""
 
     kind: Literal["arc"]
-    origin: Annotated[str, Field(alias="from")]
-    target: Annotated[str, Field(alias="to")]
+    origin: Annotated[Text, Field(alias="from")]
+    target: Annotated[Text, Field(alias="to")]
     start_time: Number
     duration: Duration
     start: Vector4
@@ -58,7 +59,7 @@ class ArcDocument(Part):
     axis: Vector3
     angle: Annotated[float, Field(ge=NARROWEST, le=LARGEST_ANGLE)]
     limits: BoundsDocument = Field(default_factory=dict)
-    pieces: Annotated[list[PieceDocument], Field(min_length=1)]
+    pieces: Annotated[list[PieceDocument], Field(min_length=1), FailFast()]
 
 
 @dataclass(frozen=True)

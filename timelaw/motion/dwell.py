@@ -9,7 +9,7 @@ import numpy as np
 
 from timelaw.easing.profile import Side
 from timelaw.limits import Bounds, Limit
-from timelaw.motion.schema import Duration, Number, Part, Vector4
+from timelaw.motion.schema import Duration, Number, Part, Text, Vector4
 from timelaw.motion.segment import Discrepancy, Quantity
 from timelaw.numerics.array import Array
 from timelaw.numerics.polynomial import Polynomial
@@ -20,7 +20,7 @@ class DwellDocument(Part):
     """What a law file says of a dwell."""
 
     kind: Literal["dwell"]
-    at: str
+    at: Text
     start_time: Number
     duration: Duration
     orientation: Vector4

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -10,7 +11,7 @@ from timelaw.easing.profile import Side, locate
 from timelaw.limits import Bounds, make_limits
 from timelaw.limits.body import RigidBody
 from timelaw.motion.segment import MAX_ORDER, Quantity, Segment
-from timelaw.numerics.array import Array
+from timelaw.numerics.array import Array, freeze
 from timelaw.numerics.quaternion import rotation_matrix
 
 
@@ -31,17 +32,18 @@ class QuaternionLaw:
     before: Mapping[int, Array] = field(default_factory=dict)
     after: Mapping[int, Array] = field(default_factory=dict)
 
-    @property
+    @cached_property
     def times(self) -> Array:
         """Start times of the segments and the end of the last (n+1,) [s]."""
-        return np.array([s.start_time for s in self.segments] + [self.segments[-1].end_time])
+        starts = [s.start_time for s in self.segments]
+        return freeze(np.array([*starts, self.segments[-1].end_time]))
 
     @property
     def duration(self) -> float:
         """Total time [s]."""
         return self.segments[-1].end_time
 
-    @property
+    @cached_property
     def labels(self) -> tuple[str, ...]:
         """Labels of the nodes (n+1)."""
         return (self.segments[0].origin, *(s.target for s in self.segments))

@@ -11,10 +11,9 @@ from io import StringIO
 from math import pi
 from pathlib import Path
 
-from timelaw.files import read_text
 from timelaw.numerics.array import Array
 from timelaw.orientations.forms import Writing, find_fault, make_quaternions
-from timelaw.orientations.rows import EMPTY_ROW, MAX_BYTES, make_fault, read_number
+from timelaw.orientations.rows import EMPTY_ROW, make_fault, read_lines, read_number
 
 Point = tuple[int, list[float], bool]  # line, three angles, whether the point was indexed
 
@@ -83,7 +82,7 @@ def _ctf(path: Path) -> Iterator[Point]:
 
 def _lines(path: Path) -> list[tuple[int, str]]:
     """All lines with their numbers."""
-    return list(enumerate(StringIO(read_text(path, MAX_BYTES), newline=None).read().split("\n"), 1))
+    return list(enumerate(StringIO(read_lines(path), newline=None).read().split("\n"), 1))
 
 
 def _names(text: str) -> list[str]:

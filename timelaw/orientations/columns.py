@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import cast
 
-from timelaw.errors import Fault, InputError
+from timelaw.errors import Fault, InputError, shorten
 from timelaw.orientations.forms import HOMOGENEOUS, UPPER_LEFT, Form
 from timelaw.orientations.rows import NUMBER, Row, make_fault, measure_width
 
@@ -48,14 +48,14 @@ def _by_name(
     if not found:
         needed = ", ".join(options[0])
         others = "".join(f" (or {', '.join(option)})" for option in options[1:])
-        message = f"the header has {', '.join(header)}; columns {needed}{others} are needed"
+        message = f"the header has {shorten(', '.join(header))}; columns {needed}{others} are needed"
         numbers = [i + 1 for i, name in enumerate(header) if NUMBER.fullmatch(name)]
         if named and columns is None and len(numbers) >= form.width:
             message += f"; without a header give columns: {numbers[-form.width :]}, counted from 1"
         raise make_fault(message, path, line)
     repeated = next((name for name in header if name and header.count(name) > 1), None)
     if repeated is not None:
-        raise make_fault(f'the header names "{repeated}" more than once', path, line)
+        raise make_fault(f'the header names "{shorten(repeated)}" more than once', path, line)
     if len(found) > 1:
         both = " and ".join(", ".join(option) for option in found)
         raise make_fault(f'the header has {both}; choose by the key "columns"', path, line)
@@ -74,7 +74,7 @@ def _by_number(rows: list[Row], form: Form, columns: Sequence[int], path: Path) 
         return places, False
     odd = next((cell for cell in first if _is_value(cell)), None)
     if odd is not None:
-        listing = ", ".join(first)
+        listing, odd = shorten(", ".join(first)), shorten(odd)
         message = f'columns {list(columns)} of the first row are {listing}: "{odd}" is no name of a column'
         raise make_fault(f"{message}, and not all of them are numbers", path, line)
     _refuse_another_order(form, [cell.lower() for cell in first])

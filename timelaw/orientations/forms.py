@@ -78,8 +78,10 @@ def find_precision(rows: Sequence[Sequence[float]], writing: Writing) -> Precisi
 
 def _of_norm_one(row: Array) -> str:
     norm = float(np.linalg.norm(row))
+    if abs(norm - 1) <= NORM_TOLERANCE:
+        return ""
     listing = ", ".join(f"{c:g}" for c in row)
-    return "" if abs(norm - 1) <= NORM_TOLERANCE else f"[{listing}] has norm {norm:.6g}; a unit quaternion"
+    return f"[{listing}] has norm {norm:.6g}; a unit quaternion"
 
 
 def _unit_wxyz(row: Array) -> str:

@@ -5,11 +5,14 @@ import io
 import re
 from pathlib import Path
 
-from timelaw.errors import Fault, InputError
+from timelaw.errors import Fault, InputError, shorten
 from timelaw.files import read_text
 from timelaw.units import MOST
 
-MAX_BYTES = 100_000_000  # a map of a million points
+MAX_BYTES = 50_000_000
+MOST_LINES = 500_000  # a map of half a million points takes 5 s and 600 MB
+MOST_CELLS = 5_000_000  # of a table, which is held whole
+MOST_COLUMNS = 1000  # whose names are looked for
 NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d{1,3})?")
 SEPARATORS = (";", ",", "\t", " ")  # the first of them in the first row; commas beside ; are in the numbers
 EMPTY_ROW = "an empty row; fill it in or take it out, for rows are numbered"
@@ -27,14 +30,34 @@ def read_rows(path: Path) -> list[Row]:
     Raises:
         InputError: with file, line and what is needed.
     """
-    lines = list(io.StringIO(read_text(path, MAX_BYTES), newline=""))
+    text = read_lines(path)
+    lines = list(io.StringIO(text, newline=""))
     comments = 0
     while comments < len(lines) and (not lines[comments].strip() or lines[comments].lstrip().startswith("#")):
         comments += 1
     first = lines[comments].strip() if comments < len(lines) else ""
-    rows = _split(lines, comments, next((s for s in SEPARATORS if s in first), ","), path)
+    separator = next((s for s in SEPARATORS if s in first), ",")
+    _refuse_more(text.count(separator) + len(lines), MOST_CELLS, "cells", path)
+    _refuse_more(first.count(separator) + 1, MOST_COLUMNS, "columns", path)
+    rows = _split(lines, comments, separator, path)
     _refuse_other_widths(rows, path)
     return rows
+
+
+def read_lines(path: Path) -> str:
+    """The text of a table of at most so many lines, which are counted before they are told apart.
+
+    Raises:
+        InputError: it has more, or cannot be read.
+    """
+    text = read_text(path, MAX_BYTES)
+    _refuse_more(max(text.count("\n"), text.count("\r")), MOST_LINES, "lines", path)
+    return text
+
+
+def _refuse_more(count: int, most: int, what: str, path: Path) -> None:
+    if count > most:
+        raise make_fault(f"{count} {what}; at most {most} are allowed", path)
 
 
 def _split(lines: list[str], comments: int, separator: str, path: Path) -> list[Row]:
@@ -84,9 +107,9 @@ def read_number(cell: str, path: Path, line: int) -> float:
     text = cell.strip()
     if not NUMBER.fullmatch(text):
         hint = "; a decimal point is needed" if NUMBER.fullmatch(text.replace(",", ".", 1)) else ""
-        raise make_fault(f'"{text}" is not a number{hint}', path, line)
+        raise make_fault(f'"{shorten(text)}" is not a number{hint}', path, line)
     if not abs(value := float(text)) <= MOST:
-        raise make_fault(f'"{text}" is out of range; {MOST:g} at most is allowed', path, line)
+        raise make_fault(f'"{shorten(text)}" is out of range; {MOST:g} at most is allowed', path, line)
     return value
 
 

@@ -2,6 +2,8 @@
 
 from pathlib import Path
 
+from timelaw.errors import shorten
+from timelaw.files import LONGEST_LABEL
 from timelaw.numerics.array import Array
 from timelaw.orientations.columns import Columns, find_columns
 from timelaw.orientations.forms import FORMS, Writing, find_fault, find_precision, make_quaternions
@@ -61,7 +63,12 @@ def _labels(header: list[str], rows: list[Row], path: Path) -> tuple[str, ...] |
         label = row[place] if place < len(row) else ""
         if not label or label in seen:
             raise make_fault(
-                f'label "{label}" stands in line {seen[label]} too' if label else "no label", path, line
+                f'label "{shorten(label)}" stands in line {seen[label]} too' if label else "no label",
+                path,
+                line,
             )
+        if len(label) > LONGEST_LABEL:
+            message = f"a label of {len(label)} characters; at most {LONGEST_LABEL} are allowed"
+            raise make_fault(message, path, line)
         seen[label] = line
     return tuple(seen)

@@ -9,6 +9,7 @@ from typing import Any
 from pydantic import BaseModel, ConfigDict
 from pydantic_core import PydanticCustomError, core_schema
 
+from timelaw.errors import shorten
 from timelaw.units import LEAST, MOST, Kind, parse_quantity
 
 NORM_TOLERANCE = 1e-3  # a quaternion typed with four digits still counts as a unit quaternion
@@ -26,10 +27,10 @@ def fault(message: str, *where: str) -> PydanticCustomError:
 
 
 def quote(value: Any) -> str:
-    """A value as a message shows it."""
+    """A value as a message shows it; a long one is shortened."""
     if isinstance(value, bool) or value is None:
         return {None: "null", True: "true", False: "false"}[value]
-    return f'"{value}"' if isinstance(value, str) else f"{value}"
+    return f'"{shorten(value)}"' if isinstance(value, str) else shorten(f"{value}")
 
 
 def suggest(given: Any, allowed: Iterable[str], *others: str) -> str:
@@ -49,7 +50,7 @@ def read_quantity(value: Any, kind: Kind, least: float = LEAST, most: float = MO
     except ValueError as error:
         raise fault(str(error)) from None
     if not least <= number <= most:
-        raise fault(f'"{value}" is out of range; {least:g} to {most:g} {kind.unit} are allowed')
+        raise fault(f'"{shorten(str(value))}" is out of range; {least:g} to {most:g} {kind.unit} are allowed')
     return number
 
 
@@ -161,7 +162,9 @@ def tour_or_labels(names: tuple[str, ...]) -> Callable[[Any], Any]:
             raise fault("a tour needs at least two labels")
         for label in value:
             if isinstance(label, bool) or not isinstance(label, str | int):
-                raise fault(f"a label is a number or a text, not {label!r}; a text may need quotes")
+                raise fault(
+                    f"a label is a number or a text, not {shorten(repr(label))}; a text may need quotes"
+                )
         return tuple(str(label) for label in value)
 
     return check

@@ -6,7 +6,7 @@ from typing import Any, get_args
 from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
-from timelaw.errors import Fault, InputError
+from timelaw.errors import Fault, InputError, list_first, shorten
 from timelaw.files import read_start, read_text
 from timelaw.problem.fields import quote, suggest
 from timelaw.problem.problem import NAME, Problem
@@ -15,6 +15,7 @@ from timelaw.problem.source import PROBLEM, KeyPath, Source, read
 
 VERSION = 1
 LAW_MARK = b'"timelaw-law"'  # in the first line of a law file, and in no other
+BEYOND = 10**9  # the line after which faults without one are listed
 LABELLED: tuple[KeyPath, ...] = (("route", "tour"), ("nodes", "at"))  # lists and mappings of labels
 LABELS: tuple[KeyPath, ...] = (("route", "start"), ("route", "end"))
 
@@ -102,7 +103,7 @@ def refuse_numbers_for_labels(source: Source) -> None:
             message = f"{text} without quotes is the number {int(text.replace('_', ''), _base(text))}; {hint}"
             faults.append(source.fault(where, message, at_key=where[:-1] == ("nodes", "at")))
     if faults:
-        raise InputError(*faults)
+        raise InputError(*list_first(faults, len(faults), source.path))
 
 
 def _base(text: str) -> int:
@@ -112,8 +113,9 @@ def _base(text: str) -> int:
 
 def translate(source: Source, error: ValidationError, model: type[BaseModel]) -> list[Fault]:
     """What a model says is wrong, with places in the source and in our words, in the order of the file."""
-    faults = [_fault(source, details, model) for details in error.errors()]
-    return sorted(faults, key=lambda f: (f.line or 0, f.column or 0))
+    found = (_fault(source, details, model) for details in error.errors(include_url=False))
+    faults = list_first(found, error.error_count(), source.path)
+    return sorted(faults, key=lambda f: (f.line or BEYOND, f.column or 0))
 
 
 def _fault(source: Source, details: ErrorDetails, model: type[BaseModel]) -> Fault:
@@ -122,7 +124,7 @@ def _fault(source: Source, details: ErrorDetails, model: type[BaseModel]) -> Fau
     if kind == "extra_forbidden":
         fields = _model_at(model, where[:-1]).model_fields
         allowed = suggest(where[-1], [field.alias or name for name, field in fields.items()])
-        return source.fault(where[:-1], f'unknown key "{where[-1]}"; allowed: {allowed}').at(
+        return source.fault(where[:-1], f'unknown key "{shorten(str(where[-1]))}"; allowed: {allowed}').at(
             source.keys.get(where)
         )
     if kind == "missing":

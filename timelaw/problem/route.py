@@ -6,6 +6,7 @@ from typing import Annotated, Any, Literal, Self, get_args
 
 from pydantic import BeforeValidator, Field, model_validator
 
+from timelaw.errors import shorten
 from timelaw.numerics.turn import SAME_ORIENTATION
 from timelaw.problem.fields import NORM_TOLERANCE, Model, as_tuple, fault, quantity, quote, tour_or_labels
 from timelaw.units import ANGLE, MOST
@@ -184,5 +185,5 @@ def _class(value: Any) -> Any:
 
 def _label(value: Any) -> str:
     if isinstance(value, bool) or not isinstance(value, str | int):
-        raise fault(f"a label is a number or a text, not {value!r}; a text may need quotes")
+        raise fault(f"a label is a number or a text, not {shorten(repr(value))}; a text may need quotes")
     return str(value)

@@ -7,21 +7,22 @@ from copy import deepcopy
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from ruamel.yaml import YAML
 from ruamel.yaml.composer import ComposerError
-from ruamel.yaml.error import MarkedYAMLError, YAMLError
+from ruamel.yaml.error import MarkedYAMLError
 from ruamel.yaml.nodes import MappingNode, Node, ScalarNode, SequenceNode
+from ruamel.yaml.reader import ReaderError
 
-from timelaw.errors import Fault, InputError, TimelawError
+from timelaw.errors import Fault, InputError, TimelawError, shorten
+from timelaw.problem.composer import find_place, make_parser
 
 KeyPath = tuple[str | int, ...]
 Place = tuple[int, int]
 
 WHOLE = "tag:yaml.org,2002:int"
 _PLAIN = re.compile(r"-?(0|[1-9]\d*)")
-_ITEM = re.compile(r"\[\d+\]$")
+_ITEMS = re.compile(r"(.*?)((?:\[\d{1,9}\])*)", re.ASCII | re.DOTALL)
 MOST_DIGITS = 300  # of a whole number: beyond, no float holds it
-MOST_VALUES = 500_000  # a few bytes of aliases can stand for more than memory holds
+MOST_HEX_DIGITS = 250  # 0x among them: no more than 300 of the others
 
 
 @dataclass(frozen=True)
@@ -102,8 +103,9 @@ def _path(text: str) -> KeyPath:
     """What `write_path` makes a text of, as a path again."""
     parts: list[str | int] = []
     for part in text.split("."):
-        name, *items = part.split("[")
-        parts += [name, *(int(item.rstrip("]")) - 1 for item in items)] if _ITEM.search(part) else [part]
+        match = _ITEMS.fullmatch(part)
+        name, items = match.groups() if match is not None else (part, "")
+        parts += [name, *(int(item) - 1 for item in re.findall(r"\d+", items))]
     return tuple(parts)
 
 
@@ -116,25 +118,17 @@ def read(text: str, path: str, kind: str = PROBLEM) -> Source:
     Raises:
         InputError: not YAML, a duplicate key, more than one document, or not a mapping.
     """
-    yaml = YAML(typ="safe", pure=True)
+    yaml = make_parser()
     try:
         node = yaml.compose(text)
-        _refuse_cycles(node, (), set())
         keys, values, numbers = _places(node, path)
-        data = _with_text_keys(yaml.load(text))
-        huge = next((where for where, value in _list_values(data, ()) if _is_huge(value)), None)
+        data = _with_text_keys(yaml.constructor.construct_document(node)) if node is not None else None
     except MarkedYAMLError as error:
         what = " ".join(str(part) for part in (error.context, error.problem) if part)
-        raise InputError(_marked(error, f"not readable as YAML: {what}", path)) from None
-    except RecursionError:
-        raise InputError(Fault("not readable as YAML: nested too deeply", "", path, 1, 1)) from None
-    except (YAMLError, ValueError, LookupError, TypeError, AttributeError, ArithmeticError) as error:
-        # besides its own errors the parser lets those of Python out, for odd tags and keys
-        what = (str(error).strip().splitlines() or [type(error).__name__])[0]
-        raise InputError(Fault(f"not readable as YAML: {what}", "", path, 1, 1)) from None
-    if huge is not None:
-        message = f"a whole number of more than {MOST_DIGITS} digits; none here is that large"
-        raise InputError(Fault(message, write_path(huge), path, *values.get(huge, (1, 1))))
+        raise InputError(_marked(error, f"not readable as YAML: {shorten(what)}", path)) from None
+    except ReaderError as error:
+        message = f"not readable as YAML: the character #x{error.character:04x} is not allowed"
+        raise InputError(Fault(message, "", path, *find_place(text, error))) from None
     if not isinstance(data, dict):
         given = "an empty file" if data is None else f"a {_name(data)}"
         raise InputError(Fault(f"{given}; a {kind}", "", path, 1, 1))
@@ -153,32 +147,6 @@ def _with_text_keys(data: Any) -> Any:
     return [_with_text_keys(value) for value in data] if isinstance(data, list) else data
 
 
-def _list_values(data: Any, path: KeyPath) -> Iterator[tuple[KeyPath, Any]]:
-    """Every single value in plain data, and its path."""
-    parts = data.items() if isinstance(data, dict) else enumerate(data) if isinstance(data, list) else None
-    if parts is None:
-        yield path, data
-    for key, value in parts or ():
-        yield from _list_values(value, (*path, key))
-
-
-def _is_huge(value: Any) -> bool:
-    """A whole number that no float holds, on which arithmetic and text of Python fail."""
-    return isinstance(value, int) and abs(value) >= 10**MOST_DIGITS
-
-
-def _refuse_cycles(node: Node | None, ancestors: tuple[int, ...], done: set[int]) -> None:
-    """An alias may repeat a part of the file, but not the part it stands in."""
-    if node is not None and id(node) in ancestors:
-        raise ComposerError(None, None, "an alias repeats the part it stands in", node.start_mark)
-    if id(node) in done or not isinstance(node, MappingNode | SequenceNode):
-        return
-    for child in node.value:
-        for part in child if isinstance(child, tuple) else (child,):
-            _refuse_cycles(part, (*ancestors, id(node)), done)
-    done.add(id(node))
-
-
 def _places(
     node: Node | None, path: str
 ) -> tuple[dict[KeyPath, Place], dict[KeyPath, Place], dict[KeyPath, str]]:
@@ -187,19 +155,33 @@ def _places(
     keys: dict[KeyPath, Place] = {}
     values: dict[KeyPath, Place] = {}
     for where, key_node, value_node in _walk(node, ()) if node is not None else ():
-        if len(values) == MOST_VALUES:
-            raise ComposerError(None, None, f"more than {MOST_VALUES} values", value_node.start_mark)
-        values[where] = (value_node.start_mark.line + 1, value_node.start_mark.column + 1)
+        values[where] = _place(value_node)
+        for one in (key_node, value_node):
+            if one is not None and _is_huge(one):
+                message = f"a whole number of more than {MOST_DIGITS} digits; none here is that large"
+                raise InputError(Fault(message, write_path(where), path, *_place(one)))
         odd = next((one for one in (key_node, value_node) if one is not None and _is_odd(one)), None)
         if odd is not None:
             numbers[where] = odd.value
         if key_node is None:
             continue
-        place = (key_node.start_mark.line + 1, key_node.start_mark.column + 1)
+        place = _place(key_node)
         if where in keys and keys[where] != place:
             raise InputError(Fault(f'duplicate key "{where[-1]}"', "", path, *place))
         keys[where] = place
     return keys, values, numbers
+
+
+def _place(node: Node) -> Place:
+    return node.start_mark.line + 1, node.start_mark.column + 1
+
+
+def _is_huge(node: Node) -> bool:
+    """A whole number that no float holds, on which arithmetic and text of Python fail."""
+    if node.tag != WHOLE:
+        return False
+    digits = node.value.lstrip("+-").replace("_", "").lower()
+    return len(digits) > (MOST_HEX_DIGITS if digits.startswith("0x") else MOST_DIGITS)
 
 
 def _is_odd(node: Node) -> bool:

@@ -11,16 +11,18 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import BeforeValidator, Field, ValidationError
 
-from timelaw.errors import InputError
+from timelaw.errors import InputError, shorten
 from timelaw.objectives import EFFORTS
 from timelaw.problem import Source
-from timelaw.problem.fields import Model, fault, one_of
+from timelaw.problem.fields import Model, fault, one_of, quote
 from timelaw.problem.load import read_source, translate
+from timelaw.units import LONGEST
 
 MOST_DESIGNS = 10_000
+MOST_KEYS = 50  # that are varied: each by two values already makes more designs than are allowed
 LARGEST = 1e300  # differences of such numbers are finite
 STUDY = 'study file is a mapping that starts with "timelaw-study: 1"'
-WITH_UNIT = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*$")
+WITH_UNIT = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*)")
 
 
 def _values(value: Any) -> tuple[Any, ...]:
@@ -31,13 +33,14 @@ def _values(value: Any) -> tuple[Any, ...]:
         raise fault('a list of values or a range {from: …, to: …, steps: …} is needed, as in "limits.jerk"')
     steps = value["steps"]
     if not isinstance(steps, int) or isinstance(steps, bool) or not 2 <= steps <= MOST_DESIGNS:
-        raise fault(f"steps: {steps}; a whole number from 2 to {MOST_DESIGNS} is needed")
-    ends = [WITH_UNIT.match(str(value[end])) for end in ("from", "to")]
+        raise fault(f"steps: {quote(steps)}; a whole number from 2 to {MOST_DESIGNS} is needed")
+    given = f"from {shorten(str(value['from']))} to {shorten(str(value['to']))}"
+    ends = [WITH_UNIT.fullmatch(str(value[end]).strip()[:LONGEST]) for end in ("from", "to")]
     if ends[0] is None or ends[1] is None or ends[0].group(2) != ends[1].group(2):
-        raise fault(f"from {value['from']} to {value['to']}; both need a number and the same unit")
+        raise fault(f"{given}; both need a number and the same unit")
     unit, first, last = ends[0].group(2), float(ends[0].group(1)), float(ends[1].group(1))
     if not max(abs(first), abs(last)) <= LARGEST:
-        raise fault(f"from {value['from']} to {value['to']}; numbers up to {LARGEST:g} are allowed")
+        raise fault(f"{given}; numbers up to {LARGEST:g} are allowed")
     numbers = np.linspace(first, last, steps)
     if unit:
         return tuple(f"{number:.12g} {unit}" for number in numbers)
@@ -50,7 +53,10 @@ class StudyModel(Model):
     study: Annotated[Literal[1], Field(alias="timelaw-study")]
     name: Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]*$", max_length=100)]
     problem: str
-    vary: Annotated[dict[str, Annotated[tuple[Any, ...], BeforeValidator(_values)]], Field(min_length=1)]
+    vary: Annotated[
+        dict[str, Annotated[tuple[Any, ...], BeforeValidator(_values)]],
+        Field(min_length=1, max_length=MOST_KEYS),
+    ]
     effort: Annotated[str, one_of(EFFORTS)] = "jerk"
 
 
