@@ -8,8 +8,8 @@ from tests.exact.documents import arc, document, piece
 
 LIMITS = ("velocity", "acceleration", "jerk", "snap", "torque", "momentum")
 MOST = 1e18  # the largest bound that a law file may have
+WIDEST = 1e30  # the largest rate that it may have
 HIGHEST = 64  # control points
-MARGIN = 0.999  # of the sum of two principal moments, so that the body is a possible one
 
 Matrix = list[list[float]]
 
@@ -65,7 +65,8 @@ def make_piece(rng: Random, order: int, time: float, rate: float) -> dict[str, A
         for step in range(1, order + 2 - level):
             size *= h / step
         # way 0: what is integrated is nearly taken away again
-        state.append([-size, size * rng.uniform(-1, 1), size * rng.gauss(0, 1), 0.0][way])
+        value = (-size, size * rng.uniform(-1, 1), size * rng.gauss(0, 1), 0.0)[way]
+        state.append(min(max(value, -WIDEST), WIDEST))
     return piece(h, state, control)
 
 

@@ -20,7 +20,7 @@ def piece(duration: float, state: list[float], control: list[float]) -> dict[str
 def quintic(angle: float, duration: float) -> dict[str, Any]:
     """The piece that turns by `angle` from rest to rest, its acceleration zero at both ends."""
     jerk = 60 * angle / duration**3
-    return piece(duration, [0.0, 0.0, 0.0], [jerk, -jerk, jerk])
+    return piece(duration, [0.0, 0.0, 0.0], [jerk, -2 * jerk, jerk])
 
 
 def turn(start: list[float], axis: list[float], angle: float) -> list[float]:
