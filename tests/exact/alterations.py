@@ -10,6 +10,7 @@ Path = tuple[Any, ...]
 
 LEFT_ALONE = ("conventions", "provenance", "timelaw", "format", "version", "name")
 FACTORS = (2.0, 0.5, 1000.0, -1.0)
+SMALL = 0.4e-9  # each of a few tolerable ones, which add up to what is not
 STEPS = (*(10.0**-k for k in range(6, 16)), 0.4e-9, 0.6e-9, 0.9e-9, 1.1e-9, 2e-9, 1e-4)
 
 
@@ -127,10 +128,42 @@ def touch_limit(rng: Random, document: dict[str, Any]) -> str:
     return f"limits: what is reached less {by:g} of it"
 
 
+def drift_nodes(rng: Random, document: dict[str, Any]) -> str:
+    """Every stored orientation off by a little, and every angle."""
+    for segment in document["segments"]:
+        for key in ("start", "end", "orientation"):
+            if key in segment:
+                segment[key] = [x + rng.uniform(-SMALL, SMALL) for x in segment[key]]
+        if "angle" in segment:
+            segment["angle"] += rng.uniform(-SMALL, SMALL)
+    return "orientations and angles drift"
+
+
+def drift_pieces(rng: Random, document: dict[str, Any]) -> str:
+    """One state of every piece off by a little, so that gaps add up."""
+    order, size = rng.randrange(3), 10 ** rng.uniform(-13, -8)
+    for segment in document["segments"]:
+        for piece in segment.get("pieces", []):
+            if order < len(piece["state"]):
+                piece["state"][order] += rng.uniform(-size, size)
+    return f"rates {order} of all pieces drift"
+
+
+def drift_times(rng: Random, document: dict[str, Any]) -> str:
+    """Every start time a few ulp off."""
+    for segment in document["segments"][1:]:
+        for _ in range(rng.randrange(4)):
+            segment["start_time"] = nextafter(segment["start_time"], rng.choice((-inf, inf)))
+    return "start times drift"
+
+
 ALTERATIONS: tuple[Callable[[Random, dict[str, Any]], str], ...] = (
     *[alter_field] * 6,
     swap_numbers,
     flip_vector,
     stretch_vector,
+    drift_nodes,
+    drift_pieces,
+    drift_times,
     *[touch_limit] * 2,
 )
