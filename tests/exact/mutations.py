@@ -145,7 +145,8 @@ def show(outcomes: list[Outcome]) -> str:
         kinds: dict[str, list[Outcome]] = defaultdict(list)
         for outcome in outcomes:
             if outcome.row == row:
-                kinds[outcome.kind].append(outcome)
+                # of what is allowed the field is enough
+                kinds[outcome.kind if row in FAILED else outcome.kind.split(":")[0]].append(outcome)
         lines += [f"\n{row}:"] * bool(kinds)
         for kind, same in sorted(kinds.items(), key=lambda item: -len(item[1])):
             reason = (same[0].broken or same[0].findings)[0]

@@ -43,7 +43,7 @@ def _differs(given: Any, value: fmpq, scale: fmpq) -> bool:
 
 
 def _find_false_nodes(motion: Motion, breaks: list[Break]) -> list[str]:
-    """Labels, times and classes of the nodes."""
+    """Labels, times and classes of the nodes; times to 1e-9 of the whole, for the first is 0."""
     if "nodes" not in motion.document:
         return []
     nodes = motion.document["nodes"]
@@ -60,7 +60,7 @@ def _find_false_nodes(motion: Motion, breaks: list[Break]) -> list[str]:
         order = node.get("continuity")
         if node.get("label") != label:
             found.append(f"P8 node {index} is called {node.get('label')!r}")
-        if _differs(node.get("time"), time, time):
+        if _differs(node.get("time"), time, motion.end):
             found.append(f"P8 node {index} is said to be at {node.get('time')} s")
         if not (_is_number(order) and one.least_class() <= order <= one.greatest_class()):
             found.append(f"P8 node {index} is said to be C{order}")
