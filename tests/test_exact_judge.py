@@ -7,9 +7,17 @@ import pytest
 
 from tests.exact.arcs import make_case
 from tests.exact.bounds import compare
-from tests.exact.broken import list_broken
+from tests.exact.broken import list_broken, list_tolerable
 from tests.exact.false_records import list_false_records
-from tests.exact.handmade import make_arcs, make_dwells, make_jump, make_law, make_pieces, make_there_and_back
+from tests.exact.handmade import (
+    make_arcs,
+    make_dwells,
+    make_jump,
+    make_law,
+    make_pieces,
+    make_steady,
+    make_there_and_back,
+)
 from tests.exact.judge import judge
 from tests.exact.limits import RATE_ORDERS, list_limited
 from tests.exact.motion import Motion
@@ -24,6 +32,8 @@ KEPT = {
     "many pieces": make_pieces(),
     "two pieces": make_jump(0.0),
     "after others": make_jump(0.0, *make_arcs()),
+    "a steady turn": make_steady(),
+    **list_tolerable(),
     "there and back": make_law() | {"segments": make_there_and_back(), "duration": 4.0},
 }
 CASES, BOUNDS_LEAST = 30, 300

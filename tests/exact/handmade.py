@@ -84,6 +84,13 @@ def make_jump(size: float, *segments: dict[str, Any], limits: Document | None = 
     return document(follow(*segments, jump), limits or {"velocity": 10.0}, continuity=2)
 
 
+def make_steady() -> Document:
+    """A turn at constant speed, entered and left at it, whose acceleration is rounding alone."""
+    pieces = [piece(0.5, [0.0, 1.0, 1e-16], [1e-15]), piece(0.5, [0.5, 1.0, -2e-16], [0.0])]
+    outside = {side: {"omega": [1.0, 0.0, 0.0]} for side in ("before", "after")}
+    return document([arc("1", "2", pieces)], {"velocity": 2.0}, continuity=2, outside=outside)
+
+
 def change(document: Document, alter: Callable[[Document], Any]) -> Document:
     """An altered copy."""
     altered = copy.deepcopy(document)
