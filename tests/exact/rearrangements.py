@@ -174,7 +174,10 @@ def break_body(rng: Random, document: Document) -> str:
         document["body"] = {"inertia": [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]}
     inertia = document["body"]["inertia"]
     i, j = rng.randrange(3), rng.randrange(3)
-    inertia[i][j] += rng.choice((-30.0, 1e-6, 1e-9, 1e-8, 30.0)) * inertia[0][0]
+    inertia[i][j] += rng.choice((-30.0, 1e-6, 1e-9, 1e-8, 0.9, 30.0)) * inertia[0][0]
+    if i != j and rng.random() < 0.7:
+        inertia[j][i] = inertia[i][j]
+        return "inertia altered, symmetric"
     return "inertia altered"
 
 
