@@ -1,0 +1,133 @@
+"""Continuity: jumps of the rates at breaks and nodes, in parts of what they are judged by."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import pairwise
+
+from flint import arb, fmpq
+
+from tests.exact.limits import LIMIT_ORDERS, RATE_ORDERS
+from tests.exact.motion import ORDERS, Motion, Segment
+from tests.exact.rational import largest, norm, read, root, surely_exceeds, surely_keeps
+
+JUMP = 1e-9  # of the scale of that order
+SHORTEST_SHARE = 1e-3  # of the mean duration; a shorter segment's sustained rate is spread over that
+
+Jumps = dict[int, list]  # by order a vector (3,)
+
+
+@dataclass(frozen=True)
+class Break:
+    """A place where rates may jump: by order each jump in parts of its scale; `segments` touch it.
+
+    `node` is the number of the node, or none for a break inside a segment.
+    """
+
+    segments: tuple[Segment, ...]
+    parts: dict[int, arb]
+    node: int | None
+
+    def least_class(self) -> int:
+        """Leading rates that surely do not jump: the class is not lower."""
+        return _count(surely_keeps(self.parts[k], JUMP) for k in ORDERS)
+
+    def greatest_class(self) -> int:
+        """Leading rates that do not surely jump: the class is not higher."""
+        return _count(not surely_exceeds(self.parts[k], JUMP) for k in ORDERS)
+
+
+def _count(kept: Iterator[bool]) -> int:
+    count = 0
+    for one in kept:
+        if not one:
+            break
+        count += 1
+    return count
+
+
+def list_breaks(motion: Motion) -> list[Break]:
+    """All breaks inside segments, then all nodes, the first and last instant among them."""
+    sustained = measure_sustained_rates(motion)
+    found = []
+    for segment in motion.moving:
+        axis = [a / segment.length for a in segment.axis]
+        for a, b in pairwise(segment.pieces):
+            jumps = {k: [(b.first(k) - a.last(k)) * x for x in axis] for k in ORDERS}
+            found.append(Break((segment,), _relate(motion, (segment,), jumps, sustained), None))
+    for index in range(len(motion.segments) + 1):
+        sides = motion.segments[max(index - 1, 0) : index + 1]
+        jumps = {k: _jump_at_node(motion, index, k) for k in ORDERS}
+        found.append(Break(tuple(sides), _relate(motion, tuple(sides), jumps, sustained), index))
+    return found
+
+
+def _jump_at_node(motion: Motion, index: int, order: int) -> list[arb]:
+    segments = motion.segments
+    before = segments[index - 1].last(order) if index else motion.outside("before", order)
+    after = segments[index].first(order) if index < len(segments) else motion.outside("after", order)
+    return [b - a for a, b in zip(before, after, strict=True)]
+
+
+def _relate(
+    motion: Motion, sides: tuple[Segment, ...], jumps: Jumps, sustained: dict[int, arb]
+) -> dict[int, arb]:
+    """Each jump in parts of its scale, the looser one where two segments meet."""
+    parts = {}
+    for k in ORDERS:
+        each = [_divide(motion, side, k, jumps[k], sustained[k]) for side in sides]
+        parts[k] = each[0] if len(each) == 1 else each[0].min(each[1])
+    return parts
+
+
+def _divide(motion: Motion, segment: Segment, order: int, jump: list, sustained: arb) -> arb:
+    """In parts of the tightest limit of that order on a segment, else of the motion's sustained rate."""
+    name = next(name for name, k in RATE_ORDERS.items() if k == order)
+    given = [limits[name] for limits in (motion.limits, segment.limits) if name in limits]
+    if given:
+        return largest([_divide_by_bounds(jump, bounds) for bounds in given])
+    size = norm(jump)
+    if size.is_zero():
+        return arb(0)
+    return size / sustained if not sustained.is_zero() else arb.pos_inf()
+
+
+def _divide_by_bounds(jump: list, bounds: float | list[float]) -> arb:
+    if isinstance(bounds, list):
+        return largest([abs(arb(x)) / read(b) for x, b in zip(jump, bounds, strict=True)])
+    return norm(jump) / read(bounds)
+
+
+def measure_sustained_rates(motion: Motion) -> dict[int, arb]:
+    """M_k by order: the largest rate that a segment keeps up, no less than the greatest speed makes likely."""
+    moving = motion.moving
+    if not moving:
+        return dict.fromkeys(ORDERS, arb(0))
+    mean = sum((segment.duration for segment in moving), fmpq(0)) / len(moving)
+    speed = largest([segment.size(1) for segment in moving])
+    rates = {}
+    for k in ORDERS:
+        kept = [
+            sum((piece.duration * root(piece.square(k)) for piece in segment.pieces), arb(0))
+            / max(segment.duration, mean * read(SHORTEST_SHARE))
+            for segment in moving
+        ]
+        rates[k] = largest([*kept, speed / motion.end ** (k - 1)])
+    return rates
+
+
+def find_jumps(motion: Motion, breaks: list[Break]) -> list[str]:
+    """P6: a class that is not reached, and limits of rates under which a lower rate jumps."""
+    found = []
+    asked = motion.document.get("continuity", 0)
+    reached = min(one.greatest_class() for one in breaks)
+    if reached < asked:
+        found.append(f"P6 the motion is C{reached}, C{asked} was asked for")
+    for one in breaks:
+        names = [*motion.limits, *(name for segment in one.segments for name in segment.limits)]
+        needed = max((LIMIT_ORDERS[name] for name in names), default=0) - 1
+        if one.greatest_class() < needed:
+            place = f"node {one.node}" if one.node is not None else f"a break in {one.segments[0].place}"
+            found.append(
+                f"P6 the rate {one.greatest_class() + 1} jumps at {place} under a limit of order {needed + 1}"
+            )
+    return found

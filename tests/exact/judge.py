@@ -1,0 +1,42 @@
+"""The judge: which promises a law document clearly breaks."""
+
+from typing import Any
+
+from tests.exact.continuity import find_jumps, list_breaks
+from tests.exact.limits import list_limited
+from tests.exact.motion import Motion
+from tests.exact.nodes import find_long_vectors, find_missed_nodes
+from tests.exact.record import find_false_record
+from tests.exact.times import find_impossible_body, find_wrong_times
+
+
+def judge(document: dict[str, Any]) -> list[str]:
+    """Promises that the document clearly breaks, a sentence each that begins with the promise's number.
+
+    The document is one that can be read as a law file. P2, the motion itself, is what the others judge.
+    """
+    motion = Motion(document)
+    flat = find_flat_axes(motion)
+    if flat:
+        return flat
+    limited, breaks = list(list_limited(motion)), list_breaks(motion)
+    found = [
+        *find_long_vectors(motion),
+        *find_missed_nodes(motion),
+        *find_wrong_times(motion),
+        *(one.finding for one in limited if one.broken),
+        *find_jumps(motion, breaks),
+        *find_impossible_body(motion),
+    ]
+    return found + find_false_record(motion, limited, breaks, holds=not found)
+
+
+def find_flat_axes(motion: Motion) -> list[str]:
+    """P1: vectors of length zero, of which nothing else can be said."""
+    keys = ("start", "end", "axis", "orientation")
+    return [
+        f"P1 {key} of {segment.place} is zero"
+        for segment in motion.segments
+        for key in keys
+        if key in segment.data and not any(segment.data[key])
+    ]
