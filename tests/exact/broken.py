@@ -64,7 +64,7 @@ def _turn_aside(angle: float) -> Callable[[list[float]], list[float]]:
 def list_tolerable() -> dict[str, Document]:
     """Laws that are off by what is tolerated, or nearly."""
     late = _with(make_law(), segments__1__start_time=1 + 2 * 2.0**-52)
-    aside = _with(make_law(), segments__0__end=_turn_aside(0.2e-9), segments__1__start=_turn_aside(-0.1e-9))
+    aside = _with(make_law(), segments__0__end=_turn_aside(0.15e-9), segments__1__start=_turn_aside(-0.1e-9))
     short = make_body_law({"torque": [1e3, 1e3, 1e3]}, BODY, [1 - 0.9e-9, 0.0, 0.0])
     rod = make_body_law({"torque": 1e3}, {"inertia": [[2.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 1e-9]]}, X)
     filled = _with(make_law(), segments__1__duration=1 + 0.9e-12, duration=2 + 0.9e-12)

@@ -109,11 +109,14 @@ def _join_pieces(
 
 
 def check_limits(peaks: Sequence[LegPeak]) -> tuple[LimitCheck, ...]:
-    """Every limit that the law carries, axis by axis where it is given so, general ones first."""
-    groups: dict[str, list[LegPeak]] = defaultdict(list)
+    """Every limit that the law carries, axis by axis where it is given so, general ones first.
+
+    Legs of one name may have limits of their own: each bound is a limit.
+    """
+    groups: dict[tuple[str, float], list[LegPeak]] = defaultdict(list)
     for peak in peaks:
-        groups[peak.label].append(peak)
-    names = sorted(groups, key=lambda label: " on " in label)
+        groups[peak.label, peak.row.bound].append(peak)
+    names = sorted(groups, key=lambda key: " on " in key[0])
     return tuple(_check(groups[name]) for name in names)
 
 

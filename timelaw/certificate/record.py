@@ -11,6 +11,7 @@ from timelaw.certificate.limit_check import LegPeak, LimitCheck
 from timelaw.motion.segment import RATES
 
 RECORD_TOLERANCE = 1e-9  # relative; other machines round the same sums a little differently
+DURATION_TOLERANCE = 1e-12  # relative; a sum of rounded numbers
 NOISE = 1e-12  # of a limit, or of the largest rate of its order; below it a number is rounding alone
 OPTIONAL = ("legs", "continuity_inside_segments")  # not in the contract
 TURN_TOLERANCE = 1e-9  # rad; of the turn of the axis at a node
@@ -59,7 +60,7 @@ def compare_with_record(certificate: Certificate, document: Mapping[str, Any]) -
     """
     found = []
     recorded, given = document.get("certificate"), document.get("duration")
-    if not _near(given, certificate.duration):
+    if not _near(given, certificate.duration, relative=DURATION_TOLERANCE):
         found.append(f"the file gives a duration of {given} s, its segments take {certificate.duration} s")
     if "nodes" in document and not _match_nodes(document["nodes"], certificate):
         found.append("the nodes recorded in the file are not those of its motion")
@@ -75,13 +76,13 @@ def compare_with_record(certificate: Certificate, document: Mapping[str, Any]) -
     return found
 
 
-def _near(recorded: Any, value: float, noise: float = 0.0) -> bool:
+def _near(recorded: Any, value: float, noise: float = 0.0, *, relative: float = RECORD_TOLERANCE) -> bool:
     """Equal but for rounding; null stands for what is not finite."""
     if not isfinite(value):
         return recorded is None
     if isinstance(recorded, bool) or not isinstance(recorded, int | float):
         return False
-    return bool(abs(recorded - value) <= RECORD_TOLERANCE * max(abs(value), abs(recorded)) + noise)
+    return bool(abs(recorded - value) <= relative * max(abs(value), abs(recorded)) + noise)
 
 
 def _match_each(recorded: Any, values: Sequence[Any], matches: Any) -> bool:

@@ -2,19 +2,18 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import pairwise
 from typing import ClassVar, Protocol
 
 import numpy as np
 
 from timelaw.easing import smoothstep
+from timelaw.easing.breaks import divide_breaks, merge_breaks
 from timelaw.easing.double_s_easing import cut_double_s, fit_double_s
 from timelaw.easing.polynomial_basis import PolynomialBasis
 from timelaw.easing.spline_basis import SplineBasis
 from timelaw.easing.timing import Timing
 from timelaw.least_time.constant_bounds import choose_bounds
 from timelaw.limits import Demand
-from timelaw.numerics.array import Array
 
 Basis = PolynomialBasis | SplineBasis
 
@@ -63,6 +62,10 @@ class Family(Protocol):
         """A family whose laws this one contains, of about half the freedom; None if there is none."""
         ...
 
+    def contains(self, degree: int) -> bool:
+        """Whether every polynomial of that degree on a leg is one of its easings."""
+        ...
+
 
 @dataclass(frozen=True)
 class PolynomialFamily:
@@ -93,6 +96,10 @@ class PolynomialFamily:
         least = 2 * self.continuity + 1
         degree = (self.degree + least) // 2
         return PolynomialFamily(degree, self.continuity) if least + 2 <= degree < self.degree else None
+
+    def contains(self, degree: int) -> bool:
+        """Up to its own."""
+        return degree <= self.degree
 
 
 @dataclass(frozen=True)
@@ -159,6 +166,10 @@ class SplineFamily:
         """None: a spline on fewer intervals is no simpler to find."""
         return None
 
+    def contains(self, degree: int) -> bool:
+        """Up to its own."""
+        return degree <= self.degree
+
 
 def classify_profile(demands: Sequence[Demand]) -> int:
     """The class C^k of the double-S profile: 2 where jerk is limited, 1 where acceleration is, else 0."""
@@ -193,6 +204,10 @@ class DoubleSFamily:
         """There is one profile."""
         return None
 
+    def contains(self, degree: int) -> bool:  # noqa: ARG002
+        """It is none."""
+        return False
+
 
 def _peak(angles: Sequence[float], timings: Sequence[Timing], order: int) -> float:
     """The largest rate [rad/s^k] over all legs of a run."""
@@ -201,42 +216,3 @@ def _peak(angles: Sequence[float], timings: Sequence[Timing], order: int) -> flo
         for angle, timing in zip(angles, timings, strict=True)
         for rate in timing.rates(angle, order)
     )
-
-
-def merge_breaks(breaks: Sequence[float], least: float) -> list[float]:
-    """The breaks, from 0 to 1, without those nearer than `least` to the one before, or to the end."""
-    kept = [0.0]
-    for point in breaks[1:-1]:
-        if point - kept[-1] >= least and 1.0 - point >= least:
-            kept.append(point)
-    return [*kept, 1.0]
-
-
-def divide_breaks(breaks: Sequence[float], intervals: int, least: float) -> tuple[float, ...]:
-    """Divide the intervals between breaks until there are about `intervals`, none shorter than `least`.
-
-    All are divided alike, so that a short ramp gets as many as a long cruise, but for those that
-    are too short for it; what these leave goes to the others. Divisions crowd at the breaks, where
-    the jerk has to turn from one limit to another.
-    """
-    widths = np.diff(breaks)
-    most = np.maximum(np.floor(widths / least), 1).astype(int)
-    parts = np.ones(len(widths), dtype=int)
-    while parts.sum() < intervals and np.any(parts < most):
-        free = np.flatnonzero(parts < most)
-        parts[free[np.lexsort((-widths[free] / parts[free], parts[free]))[0]]] += 1
-    pieces = [
-        a + (b - a) * _crowded(n, least / (b - a))[:-1]
-        for (a, b), n in zip(pairwise(breaks), parts, strict=True)
-    ]
-    return (*np.concatenate(pieces).tolist(), 1.0)
-
-
-def _crowded(count: int, least: float) -> Array:
-    """Points (count+1,) from 0 to 1, crowding at the ends as Chebyshev's do, as far as `least` allows."""
-    even = np.arange(count + 1) / count
-    crowded = (1 - np.cos(np.pi * even)) / 2
-    first = crowded[1]
-    room = even[1] - first
-    share = 1.0 if first >= least or not room else max((even[1] - least) / room, 0.0)
-    return np.array(share * crowded + (1 - share) * even)

@@ -83,7 +83,7 @@ def _solve_from_least(problem: RunProblem, program: Program) -> list[Solution]:
     if simple.status is Status.BEYOND:
         return []
     found = solve_from(program, simple.timings)
-    solved = [replace(simple, status=Status.SIMPLER)] if isinstance(problem.family, PolynomialFamily) else []
+    solved = [replace(simple, status=Status.SIMPLER)] if problem.family.contains(least.degree) else []
     if found is not None and holds_limits(program, found):
         solved.append(replace(found, status=Status.SIMPLER) if found.status is Status.OPTIMAL else found)
     return solved

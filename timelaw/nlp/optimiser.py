@@ -5,7 +5,7 @@ from dataclasses import replace
 from math import inf
 
 from timelaw.easing import Timing
-from timelaw.easing.family import Family, PolynomialFamily
+from timelaw.easing.family import Family
 from timelaw.errors import Fault, InfeasibleError
 from timelaw.nlp.all_runs import list_deadlines, solve_together, solve_weighed
 from timelaw.nlp.program import RunProblem
@@ -18,6 +18,7 @@ from timelaw.requirements import Requirements
 from timelaw.route import Route
 
 SAME_DURATION = 1e-9
+PROBES = 4  # of the families, poorest first, that are tried where the poorest cannot do what is given
 MOST_FREE = 300  # coefficients of one run: beyond, a program takes minutes, and several may be needed
 
 
@@ -103,20 +104,19 @@ def _drop_infeasible(
 ) -> Sequence[Family]:
     """The families from the first one on that can do what is given.
 
-    A richer one may hold limits that a poorer one cannot; what physics forbids, none can: then the richest
-    polynomial says by how much.
+    A richer one may hold limits that a poorer one cannot, of which some are tried; what physics forbids,
+    none can: then one from the middle says by how much.
 
     Raises:
         InfeasibleError: none of those that were tried does.
     """
-    degrees = [family for family in families if isinstance(family, PolynomialFamily)]
-    splines = families[len(degrees) :]
-    tried = list(dict.fromkeys([families[0], degrees[len(degrees) // 2], degrees[-1], splines[1]]))
+    tried = [families[part * len(families) // PROBES] for part in range(PROBES)]
+    middle = tried[PROBES // 2]
     while tried:
         family = tried.pop(0)
         hard = [run for run in list_run_problems(route, requirements, family) if not run.elastic]
         if family == families[0] and any(_is_impossible(run) for run in hard):
-            tried = [degrees[-1]]
+            tried = [middle]
             continue
         try:
             list(solve_distinct(hard))
