@@ -8,7 +8,8 @@ from tests.cases import AXIS, PROBLEMS, control_points, demand, demands, random_
 from timelaw import design
 from timelaw.certificate.continuity import JUMP_TOLERANCE
 from timelaw.easing import Profile
-from timelaw.easing.family import SplineFamily, divide_breaks
+from timelaw.easing.breaks import divide_breaks
+from timelaw.easing.family import SplineFamily
 from timelaw.easing.spline_basis import SplineBasis
 from timelaw.easing.time_scaling import used_fraction
 from timelaw.least_time.double_s import double_s_time

@@ -14,6 +14,7 @@ from timelaw.motion.segment import RATES
 from timelaw.numerics.array import Array
 
 BRIEF = 1e-3  # of the mean leg; what is shorter counts for as much: a leg of its own may be a spike
+LOOSE = 1e3  # times what is sustained: a limit above that says nothing about jumps
 
 
 @dataclass(frozen=True)
@@ -30,9 +31,9 @@ class JumpScale:
 def list_scales(law: QuaternionLaw) -> dict[int, list[JumpScale]]:
     """For each order of a rate the scale of each segment.
 
-    The limits of that order, the law's and the segment's own. Where there is none, what the motion sustains:
-    the largest mean size of the rate over a leg, at least the largest mean ω over the (k-1)-th power of the
-    whole duration, for in a steady turn all else is rounding.
+    The limits of that order, the law's and the segment's own, unless they are far above what the motion
+    sustains of the rate; where there is none, that itself: the largest mean size over a leg, at least the
+    largest mean ω over the (k-1)-th power of the whole duration, for in a steady turn all else is rounding.
     """
     names = {order: name for name, order in ORDERS.items()}
     slowest = _sustain(law.legs, 1)
@@ -45,7 +46,7 @@ def list_scales(law: QuaternionLaw) -> dict[int, list[JumpScale]]:
 
 def _choose(law: QuaternionLaw, segment: Segment, name: str, sustained: Array) -> JumpScale:
     given = tuple(np.array(part[name]) for part in (law.limits, segment.limits) if name in part)
-    return JumpScale(given or (sustained,))
+    return JumpScale((*given, LOOSE * sustained) if given else (sustained,))
 
 
 def _sustain(legs: Sequence[Segment], order: int) -> float:
