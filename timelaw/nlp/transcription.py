@@ -134,8 +134,10 @@ def _run(run: RunProblem, durations: Any, part: Any, units: Array) -> list[_Leg]
     """The legs of a run, joined at its straight nodes by shared rates."""
     count, r = len(run.demands), run.family.continuity
     scale, unit = _scale(run), float(np.mean(units))
-    speeds = ca.reshape(part[: r * (count - 1)], r, count - 1)
-    free = ca.vertsplit(part[r * (count - 1) :], [0, *accumulate(basis.free for basis in run.bases)])
+    inner = r * (count - 1)
+    cuts = [0, *accumulate((basis.free for basis in run.bases), initial=inner)]
+    shared, *free = ca.vertsplit(part, cuts)  # CasADi's slices beyond a single element are not empty
+    speeds: Any = ca.reshape(shared, r, count - 1)
     ends = [_end(rates, r, unit, scale) for rates in (run.start, run.end)]
     legs = []
     for k, demand in enumerate(run.demands):
