@@ -12,6 +12,8 @@ from tests.oracles import QUINTIC_PEAKS, LinearProgram, smoothstep_duration
 from timelaw import design
 from timelaw.certificate import certify
 from timelaw.certificate.record import compare_with_record
+from timelaw.errors import InputError
+from timelaw.export import format_law
 from timelaw.law_file import read_law
 from timelaw.least_time.double_s import double_s_time
 from timelaw.orientations.lattices import make_lattice
@@ -174,3 +176,10 @@ def test_the_readmes_problem_file_is_designed_as_it_stands(tmp_path):
     (tmp_path / "readme.yaml").write_text(block)
     designed = design(tmp_path / "readme.yaml")
     assert designed.optimised.certificate.findings() == []
+
+
+def test_no_law_file_is_written_that_cannot_be_read_again(monkeypatch):
+    law, _ = read_law(next(RESULTS.glob("*/law.json")))
+    monkeypatch.setattr("timelaw.law_file.read.MOST_PARTS", 100)
+    with pytest.raises(InputError, match=r"easing: law.json would hold \d+ values; at most 100 are allowed"):
+        format_law(law, certify(law), {})

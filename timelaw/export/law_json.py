@@ -7,8 +7,10 @@ from typing import Any
 
 from timelaw import __version__
 from timelaw.certificate import Certificate
+from timelaw.errors import Fault, InputError
 from timelaw.files import replace_unbounded
 from timelaw.law_file.document import to_document
+from timelaw.law_file.read import find_excess
 from timelaw.motion import QuaternionLaw
 
 SOLVER_PACKAGES = ("casadi", "numpy")
@@ -18,6 +20,9 @@ def format_law(law: QuaternionLaw, certificate: Certificate, provenance: dict[st
     """The text of the law file. Python writes each double with the digits that read back bit for bit.
 
     In what is said of the motion null stands for a number that is not finite; the motion itself has none.
+
+    Raises:
+        InputError: the file would be too large to be read again.
     """
     motion = to_document(law)
     document: dict[str, Any] = {
@@ -28,7 +33,13 @@ def format_law(law: QuaternionLaw, certificate: Certificate, provenance: dict[st
         "certificate": replace_unbounded(certificate.to_dict()),
         "provenance": replace_unbounded({**provenance, **list_versions()}),
     }
-    return _layout(document) + "\n"
+    text = _layout(document) + "\n"
+    excess = find_excess(text)
+    if excess:
+        raise InputError(
+            Fault(f"law.json would hold {excess}: fewer intervals, or two motions of it", "easing")
+        )
+    return text
 
 
 def list_versions() -> dict[str, Any]:

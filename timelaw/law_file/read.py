@@ -13,9 +13,7 @@ from timelaw.law_file.document import from_document
 from timelaw.motion import QuaternionLaw
 
 MAX_BYTES = 50_000_000
-MOST_PARTS = (
-    3_000_000  # lists, objects, values: 37 000 arcs of degree 9 or 210 000 pieces of splines, read in 5 s
-)
+MOST_PARTS = 3_000_000  # lists, objects, values: 37 000 arcs of degree 9, or 210 000 pieces of splines; 5 s
 OTHER_KINDS = {  # by a key that starts them: what it is, and what to do with it
     "timelaw-study": "this is a study file, not a law file; use it with: timelaw sweep {path}",
     "timelaw": "this is a problem file, not a law file; run timelaw design {path} first, and verify the "
@@ -39,9 +37,9 @@ def read_law(path: Path) -> tuple[QuaternionLaw, dict[str, Any]]:
 
 def _parse(text: str, path: Path) -> Any:
     """Plain data of a JSON text."""
-    parts = sum(map(text.count, "[{,"))
-    if parts > MOST_PARTS:  # three bytes can take as much memory as a number of twenty
-        raise InputError(Fault(f"{parts} values; at most {MOST_PARTS} are allowed", "", str(path)))
+    excess = find_excess(text)
+    if excess:
+        raise InputError(Fault(excess, "", str(path)))
     hooks: dict[str, Any] = {"parse_constant": _number, "parse_float": _number, "parse_int": _whole}
     try:
         return json.loads(text, object_pairs_hook=_once, **hooks)
@@ -52,6 +50,19 @@ def _parse(text: str, path: Path) -> Any:
     except (ValueError, RecursionError) as error:
         what = "nested too deeply" if isinstance(error, RecursionError) else str(error)
         raise InputError(Fault(f"not readable as JSON: {what}", "", str(path))) from None
+
+
+def find_excess(text: str) -> str:
+    """In what a JSON text is more than can be read; empty if it can.
+
+    Values are counted, for three bytes can take as much memory as a number of twenty.
+    """
+    parts = sum(map(text.count, "[{,"))
+    if parts > MOST_PARTS:
+        return f"{parts} values; at most {MOST_PARTS} are allowed"
+    if len(text) > MAX_BYTES:
+        return f"{len(text)} characters; at most {MAX_BYTES} are allowed"
+    return ""
 
 
 def _refuse_other_kinds(text: str, path: Path) -> None:
