@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 from itertools import pairwise
 from math import inf
 
@@ -43,10 +44,8 @@ def check_geometry(law: QuaternionLaw) -> tuple[GeometryCheck, ...]:
         for found in s.own_checks():
             own.setdefault(found.check, []).append((s.name, found.error))
             tolerances[found.check] = found.tolerance
-    steps = [(segments[0].name, abs(segments[0].start_time) / np.spacing(0.0))]
-    steps += [
-        (b.name, abs(b.start_time - a.end_time) / np.spacing(b.start_time)) for a, b in pairwise(segments)
-    ]
+    steps = [(segments[0].name, 0.0 if segments[0].start_time == 0 else inf)]
+    steps += [(b.name, _step(a, b)) for a, b in pairwise(segments)]
     told = [(s.name, float(np.spacing(s.end_time)) / s.duration) for s in segments]
     return (
         _worst("unit quaternions and axes", UNIT_TOLERANCE, [(s.name, _unit_error(s)) for s in segments]),
@@ -55,6 +54,12 @@ def check_geometry(law: QuaternionLaw) -> tuple[GeometryCheck, ...]:
         _worst(RESOLVED, CLOCK_RESOLUTION, told, "of the segment"),
         *(_worst(check, tolerances[check], errors) for check, errors in own.items()),
     )
+
+
+def _step(before: Segment, after: Segment) -> float:
+    """The time between two segments in spacings of doubles there, exact: a gap of two may not look like less."""
+    gap = Fraction(after.start_time) - Fraction(before.start_time) - Fraction(before.duration)
+    return float(abs(gap) / Fraction(float(np.spacing(max(after.start_time, before.end_time)))))
 
 
 def _worst(check: str, tolerance: float, errors: list[tuple[str, float]], unit: str = "") -> GeometryCheck:

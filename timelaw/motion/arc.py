@@ -5,6 +5,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import pairwise
+from math import fsum
 from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
@@ -176,7 +177,8 @@ class Arc:
 
     def own_checks(self) -> Iterator[Discrepancy]:
         """Whether the pieces' durations add up."""
-        error = abs(self.profile.duration / self.duration - 1)
+        durations = [piece.duration for piece in self.profile.pieces]
+        error = abs(fsum([*durations, -self.duration])) / self.duration
         yield Discrepancy("pieces take their segment's time", error, DURATION_TOLERANCE)
 
     def document(self) -> dict[str, Any]:
