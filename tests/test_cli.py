@@ -12,6 +12,7 @@ import pytest
 from tests.cases import PROBLEMS
 from timelaw.cli import app
 from timelaw.errors import InfeasibleError
+from timelaw.results_folder.manifest import MANIFEST
 
 
 def timelaw(*arguments, cwd=None):
@@ -33,7 +34,7 @@ def test_design_writes_its_files_and_says_so(designed):
     assert "time [s]" in done.stderr
     assert "\r" not in done.stderr
     names = {path.name for path in (folder / "results" / "first-steps").iterdir()}
-    assert names == {"law.json", "samples.csv", "report.html", "rates.svg", "easings.svg"}
+    assert names == {"law.json", "samples.csv", "report.html", "rates.svg", "easings.svg", MANIFEST}
 
 
 def test_verify_agrees_with_design(designed):

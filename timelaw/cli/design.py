@@ -10,12 +10,14 @@ from timelaw.errors import EXIT_DONE, EXIT_FINDINGS, InputError
 from timelaw.export import format_law
 from timelaw.export.registry import EXPORTERS
 from timelaw.export.samples_csv import refuse_too_many_rows
-from timelaw.files import remove_file, write_file
 from timelaw.pipeline import Design, Layout, design_layout, lay_out
 from timelaw.report import LawRow, list_law_rows, render_report
 from timelaw.report.outcome import describe_outcome, measure_gain
 from timelaw.report.tour_text import describe_moves
 from timelaw.requirements.route_limit import find_route_limit
+from timelaw.results_folder import repair_results, write_results
+
+COMMAND = "design"  # whose results these are, in a folder that may have those of others
 
 
 def run(problem: str, output: str | None, *, as_json: bool) -> int:
@@ -24,15 +26,13 @@ def run(problem: str, output: str | None, *, as_json: bool) -> int:
     with show_progress() as report:
         layout = lay_out(path, report)
         _refuse_too_many_samples(layout)
+        folder = Path(output) if output is not None else RESULTS / layout.problem.name
+        repair_results(folder)
         done = design_layout(layout, report)
-        folder = Path(output) if output is not None else RESULTS / done.problem.name
-        samples, left_out = list_samples(done)
+        samples, left_out = list_samples(done)  # old ones of what is left out go with the other old results
         files = list_files(done, path, samples)
-        for name, content in files.items():
-            write_file(folder / name, content)
-        for name in left_out:
-            remove_file(folder / name)  # of another law, if there is one
-    rows = list_law_rows(done)
+        rows = list_law_rows(done)
+        write_results(folder, COMMAND, files)
     certificate = done.optimised.certificate
     _print(done, rows, folder)
     for finding in left_out.values():
