@@ -176,7 +176,7 @@ def test_an_interrupt_inside_the_solver_is_obeyed(monkeypatch):
 
     monkeypatch.setattr(casadi, "nlpsol", lambda *_: Stopped())
     with pytest.raises(KeyboardInterrupt):
-        ipopt.solve({}, [0.0], {"lbx": [0.0], "ubx": [1.0]}, strict=False)
+        ipopt.solve({}, [0.0], {"lbx": [0.0], "ubx": [1.0], "lbg": []}, strict=False)
 
 
 def test_no_solution_is_exit_3_and_an_interrupt_130(monkeypatch, capsys):
@@ -190,7 +190,7 @@ def test_no_solution_is_exit_3_and_an_interrupt_130(monkeypatch, capsys):
     assert app._run(["design", "x.yaml", "--json"]) == 3
     assert json.loads(capsys.readouterr().out)["exit_code"] == 3
     monkeypatch.setattr("timelaw.cli.design.run", interrupted)
-    assert app._run(["design", "x.yaml"]) == 130
+    assert app.run_command(["design", "x.yaml"]) == 130
 
 
 def test_help_and_version():

@@ -26,7 +26,7 @@ OVER_ZERO = EXIT_INTERRUPTED - signal.SIGINT  # a shell's exit code of a signal:
 class Interrupted(KeyboardInterrupt):
     """A signal asked for the end."""
 
-    def __init__(self, number: int) -> None:
+    def __init__(self, number: int = signal.SIGINT) -> None:
         self.exit_code = OVER_ZERO + number
         super().__init__("interrupted" if number == signal.SIGINT else "terminated")
 
@@ -38,6 +38,7 @@ class _State:
     number: int | None = None
     shields: int = 0
     finishing: bool = False
+    over: bool = False
     farewell: Callable[[Interrupted], None] | None = field(default=None, repr=False)
 
 
@@ -50,13 +51,14 @@ def check_interrupted() -> None:
     Raises:
         Interrupted: a signal came, and the work is not finished.
     """
-    if is_interrupted():
-        raise Interrupted(_state.number or signal.SIGINT)
+    interrupt = find_interrupt()
+    if interrupt is not None:
+        raise interrupt
 
 
-def is_interrupted() -> bool:
-    """Whether a signal came before the work was finished."""
-    return _state.number is not None and not _state.finishing
+def find_interrupt() -> Interrupted | None:
+    """What a signal asked for before the work was finished."""
+    return None if _state.number is None or _state.finishing else Interrupted(_state.number)
 
 
 @contextmanager
@@ -94,6 +96,12 @@ def finish_work() -> Iterator[None]:
         raise
 
 
+def say_last_words() -> None:
+    """What follows are a few lines that say why there are no results: a signal adds nothing."""
+    if _state.number is None:
+        _state.finishing = True
+
+
 def handle_signals(farewell: Callable[[Interrupted], None]) -> None:
     """From now on signals end this process; `farewell` says so where Python's main thread cannot."""
     _state.farewell = farewell
@@ -109,6 +117,7 @@ def handle_signals(farewell: Callable[[Interrupted], None]) -> None:
 
 def ignore_signals() -> None:
     """All is said and done: what is left is the interpreter's own end, which a signal would garble."""
+    _state.over = True
     for number in SIGNALS:
         signal.signal(number, signal.SIG_IGN)
 
@@ -136,6 +145,8 @@ def _watch(pipe: int) -> None:
             break
         if numbers and ends is None:
             ends = time.monotonic() + GRACE
+    if _state.over:
+        return
     leaving = Interrupted(numbers[0])
     try:
         if _state.farewell is not None:

@@ -6,6 +6,8 @@ from dataclasses import replace
 from timelaw.easing import Timing, smoothstep
 from timelaw.nlp.program import Program, RunProblem
 from timelaw.nlp.solution import Solution, Status
+from timelaw.nlp.verdicts import Verdict
+from timelaw.time_limit import is_late
 
 SAME_TIME = 2e-6  # relative: the gap that the solver is left with, and where the closed form is the optimum
 
@@ -21,18 +23,19 @@ def solve_elastic(problem: RunProblem) -> Solution:
     known = _closed_form(problem)
     if known.status is not Status.CLOSED_FORM:
         return known
-    program, found = Program((problem,)), list[Solution]()
+    program, found, failures = Program((problem,)), list[Solution](), list[Verdict]()
     for status, start in list_starts(problem):
-        solution = solve_from(program, start)
+        solution = solve_from(program, start, failures)
         if solution is None:
             continue
         optimal = solution.status is Status.OPTIMAL
         found.insert(0, replace(solution, status=status) if optimal else solution)
         if optimal and _plausible(solution, known):
             return _fastest(found, known)
-    if not found:
+    if not found and not is_late():
         found += _from_simpler(problem, program)
-    return _fastest([*found, known], known)
+    best = _fastest([*found, replace(known, failures=tuple(failures))], known)
+    return replace(best, status=Status.STOPPED) if is_late() else best
 
 
 def _fastest(found: Sequence[Solution], known: Solution) -> Solution:

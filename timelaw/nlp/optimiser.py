@@ -15,6 +15,7 @@ from timelaw.problem import Problem
 from timelaw.progress import Progress
 from timelaw.requirements import Requirements
 from timelaw.route import Route
+from timelaw.time_limit import is_late
 
 SAME_DURATION = 1e-9
 
@@ -70,7 +71,7 @@ def _least_within(
     """The first family whose least time is near enough to the physical limit, or else the nearest.
 
     A family is given up as soon as its first runs take more than all of them may; which one is the nearest is
-    judged by the runs that were solved.
+    judged by the runs that were solved. When the time is over, the family at hand is taken.
     """
     kind, easing = problem.easing.kind, problem.easing
     limit = sum(run.limit for run in requirements.by_run(route))
@@ -103,6 +104,6 @@ def _solve_within(
         solutions.append(solution)
         excess += count[key] * (solution.duration - run.run.limit)
         known += count[key] * run.run.limit
-        if excess > allowed:
+        if excess > allowed and not is_late():
             return [], excess / known if known else inf
     return solutions, 0.0

@@ -18,6 +18,7 @@ import numpy as np
 
 from timelaw.easing import Timing
 from timelaw.easing.family import Basis
+from timelaw.interrupts import check_interrupted, shield
 from timelaw.limits import Demand
 from timelaw.nlp.program import Program, RunProblem
 from timelaw.numerics.array import Array
@@ -40,7 +41,8 @@ class Transcription:
 
     def timings(self, x: Array) -> tuple[Timing, ...]:
         """Timings of the legs from the variables (n,) of a solution."""
-        durations, *parts = (np.array(part).ravel() for part in self.unpack(x))
+        with shield():
+            durations, *parts = [np.array(part).ravel() for part in self.unpack(x)]
         legs = zip(durations, self.program.bases, parts[::3], parts[1::3], parts[2::3], strict=True)
         return tuple(Timing(float(t), basis.easing(*coefficients)) for t, basis, *coefficients in legs)
 
@@ -60,6 +62,7 @@ class _Leg:
         return sum(_sparse(part if matrix is None else matrix @ part) @ symbol for part, symbol in parts)
 
 
+@shield()
 def transcribe(
     program: Program, points: Points, rooms: Points, stay: Sequence[Array], units: Array, effort_scale: float
 ) -> Transcription:
@@ -166,6 +169,7 @@ def _sparse(matrix: Array) -> Any:
 
 def _limit_rows(demand: Demand, leg: _Leg, basis: Basis, points: Sequence[Array]) -> list[tuple[Any, int]]:
     """Rows of one leg over their bounds, each with its root."""
+    check_interrupted()
     rows = []
     for row, tau in zip(demand.rows, points, strict=True):
         rates = _rates(demand.angle, leg, basis, tau, row.orders)
@@ -209,6 +213,7 @@ class _Terms:
         effort = EFFORTS[name]
         terms = []
         for demand, leg, basis in zip(self.program.demands, self.symbols, self.program.bases, strict=True):
+            check_interrupted()
             tau, weights = basis.quadrature()
             rates = _rates(demand.angle, leg, basis, tau, effort.orders)
             terms.append(leg.duration * ca.dot(ca.DM(weights), effort.integrand(demand, rates)))
