@@ -181,11 +181,14 @@ def _write_whole(folder: Path, files: Contents) -> None:
     """Write files, and wait until they are on the disk.
 
     Raises:
-        OSError: one cannot be written.
+        OSError: one cannot be written; it is named.
     """
     for name, content in files.items():
         data = content if isinstance(content, bytes) else content.encode("utf-8", errors="replace")
-        with (folder / name).open("wb") as file:
-            file.write(data)
-            file.flush()
-            os.fsync(file.fileno())
+        try:
+            with (folder / name).open("wb") as file:
+                file.write(data)
+                file.flush()
+                os.fsync(file.fileno())
+        except OSError as error:
+            raise OSError(error.errno, error.strerror, str(folder / name)) from None
