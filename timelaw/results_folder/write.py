@@ -14,8 +14,8 @@ import errno
 import os
 import shutil
 import stat
-from collections.abc import Mapping
-from contextlib import suppress
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 
 from timelaw.errors import Fault, InputError
@@ -82,23 +82,33 @@ def _write_beside(folder: Path, command: str, files: Contents) -> bool:
     """
     try:
         folder.parent.mkdir(parents=True, exist_ok=True)
-        staging = make_beside(folder)
-    except OSError:
-        return False
-    try:
-        with hold_new(staging / LOCK):
+        with _staged(folder.parent, lambda: make_beside(folder)) as staging:
             _write_whole(staging, files)
             with finish_work(), hold(folder.parent):
                 _put_in_place(staging, folder, command, files)
     except OSError as error:
-        shutil.rmtree(staging, ignore_errors=True)
         if error.errno in FULL:
             raise
         return False
-    except BaseException:
-        shutil.rmtree(staging, ignore_errors=True)
-        raise
     return True
+
+
+@contextmanager
+def _staged(within: Path, make: Callable[[], Path]) -> Iterator[Path]:
+    """A new hidden folder whose lock is held; removed where what is done with it fails.
+
+    It is made with the lock of the folder it is made in, so that nobody takes it for a dead run's.
+    """
+    with ExitStack() as held:
+        with hold(within):
+            staging = make()
+            held.enter_context(hold_new(staging / LOCK))
+        try:
+            yield staging
+        except BaseException:
+            if not has_journal(staging):
+                shutil.rmtree(staging, ignore_errors=True)
+            raise
 
 
 def _put_in_place(staging: Path, folder: Path, command: str, files: Contents) -> None:
@@ -160,21 +170,15 @@ def _write_inside(folder: Path, command: str, files: Contents) -> None:
         OSError: it cannot be written.
     """
     folder.mkdir(parents=True, exist_ok=True)
-    staging = make_inside(folder)
-    try:
-        with hold_new(staging / LOCK):
-            _write_whole(staging, files)
-            with finish_work(), hold(folder):
-                repair_inside(folder)
-                stale = set(read_manifest(folder)[command]) - set(files)
-                text = format_manifest(folder, command, files)
-                (staging / MANIFEST).write_text(text, encoding="utf-8")
-                write_journal(staging, [*files, MANIFEST], sorted(stale))
-                complete(staging, folder)
-    except BaseException:
-        if not has_journal(staging):
-            shutil.rmtree(staging, ignore_errors=True)
-        raise
+    with _staged(folder, lambda: make_inside(folder)) as staging:
+        _write_whole(staging, files)
+        with finish_work(), hold(folder):
+            repair_inside(folder)
+            stale = set(read_manifest(folder)[command]) - set(files)
+            text = format_manifest(folder, command, files)
+            (staging / MANIFEST).write_text(text, encoding="utf-8")
+            write_journal(staging, [*files, MANIFEST], sorted(stale))
+            complete(staging, folder)
 
 
 def _write_whole(folder: Path, files: Contents) -> None:
