@@ -19,7 +19,7 @@ from types import FrameType
 from timelaw.errors import EXIT_INTERRUPTED
 
 SIGNALS = (signal.SIGINT, signal.SIGTERM)
-GRACE = 1.5  # seconds that Python has to end by itself; whoever waits is promised two
+GRACE = 1.0  # seconds that Python has to end by itself; whoever waits is promised two
 OVER_ZERO = EXIT_INTERRUPTED - signal.SIGINT  # a shell's exit code of a signal: 128 and its number
 
 
