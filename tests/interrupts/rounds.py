@@ -19,7 +19,8 @@ KINDS = {
 }
 PROMISED = 2.0  # seconds
 HANGS = 60.0  # seconds
-NEAR = 0.25  # seconds around the moment at which the results appear, where half of the signals are sent
+WRITING = 0.06  # seconds after the first sign of writing, in which half of the signals are sent
+LOOK = 0.001  # seconds between two looks for it
 BETWEEN = 0.3  # seconds between two signals, at most
 OLD, NEW, MIXED = "old", "new", "MIXED"
 
@@ -41,11 +42,13 @@ class Round:
 def play(scene: Scene, kind: str, rng: random.Random) -> Round:
     """Run the command, send the signal, judge."""
     scene.reset()
-    near = rng.random() < 0.5
-    moment = rng.uniform(-NEAR, NEAR) + scene.replaced if near else rng.uniform(0.0, scene.duration)
-    done = Round(scene.name, kind, max(moment, 0.0))
-    process = start(scene.command, scene.home)
-    time.sleep(done.moment)
+    writing = rng.random() < 0.5
+    moment = rng.uniform(0.0, WRITING if writing else scene.replaced)
+    process, started = start(scene.command, scene.home), time.monotonic()
+    while writing and process.poll() is None and not _is_writing(scene):
+        time.sleep(LOOK)
+    time.sleep(moment)
+    done = Round(scene.name, kind, time.monotonic() - started)
     done.sent = process.poll() is None
     begun = time.monotonic()
     for index, number in enumerate(KINDS[kind]):
@@ -65,6 +68,11 @@ def play(scene: Scene, kind: str, rng: random.Random) -> Round:
     _judge_processes(done, process.pid)
     _judge_folder(done, scene)
     return done
+
+
+def _is_writing(scene: Scene) -> bool:
+    """Whether a hidden folder stands beside the results."""
+    return any(name.startswith(".") for name in os.listdir(scene.home))
 
 
 def _judge_words(done: Round, out: str, err: str) -> None:

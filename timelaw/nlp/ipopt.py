@@ -93,6 +93,8 @@ def solve(symbols: dict[str, Any], start: Array, bounds: dict[str, Array], *, st
         options = OPTIONS | {"iteration_callback": stop} | (STRICT if strict else {})
         solver = ca.nlpsol("program", "ipopt", symbols, options)
         check_interrupted()
+        if is_late():  # construction takes seconds where there are hundreds of legs
+            return Outcome(start, Verdict.STOPPED, 0)
         result = solver(x0=start, **bounds)
         status = solver.stats()
         x = np.array(result["x"]).ravel()
