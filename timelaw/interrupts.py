@@ -4,7 +4,7 @@ The handler notes the signal and raises `Interrupted`, which no `except Exceptio
 swallow an exception runs shielded: there the signal is only noted, and raised when the shield ends. A call
 into C that runs for long keeps Python's handler from running at all; it lets other threads run, so that a
 watching thread, woken by the signal itself, ends the process when the grace is over, or at a second signal.
-That one waits for nothing: it may find new results in their place already, and says "interrupted" all the same.
+That one waits for nothing: it may find new results in place already, and says "interrupted" all the same.
 """
 
 import os
