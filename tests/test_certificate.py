@@ -280,7 +280,7 @@ def test_a_motion_that_starts_with_a_jolt_holds_no_acceleration_limit(paper):
     assert not certify(replace(law, limits={"velocity": 1.0, "acceleration": 1e-3})).holds
 
 
-def test_a_jump_is_judged_by_the_limit_or_by_the_largest_rate_of_the_whole_motion(paper):
+def test_a_jump_is_judged_by_the_limit_or_by_what_the_motion_sustains(paper):
     """Not by the pieces that meet: what is cruised through has only rounding for an acceleration."""
     first, second = paper.optimised.law.segments[:2]
     quick = _eased(first, [0, 0, 0, 1, 1, 1.0], duration=1.0)
@@ -288,11 +288,15 @@ def test_a_jump_is_judged_by_the_limit_or_by_the_largest_rate_of_the_whole_motio
     free = replace(paper.optimised.law, segments=(quick, calm), limits={"velocity": 100.0}, continuity=0)
     report = certify(free).continuity
     jump = 6 * calm.angle / 1e4
+    sustained = quick.angle * (120 / 7) ** 0.5  # root mean square of 60τ - 180τ² + 120τ³
     assert report.nodes[2].jump["alpha"] == pytest.approx(jump, rel=1e-12)
+    assert report.nodes[2].parts[2] == pytest.approx(jump / sustained, rel=1e-12)
     assert report.nodes[2].continuity == 1
-    for limit, order in ((jump * 0.99e9, 1), (jump * 1.01e9, 2)):
+    for limit in (jump * 2, 1e3 * sustained):
         law = replace(free, limits={"acceleration": limit})
-        assert certify(law).continuity.nodes[2].continuity == order
+        assert certify(law).continuity.nodes[2].parts[2] == pytest.approx(jump / limit, rel=1e-12)
+    beyond = certify(replace(free, limits={"acceleration": 1e9 * sustained})).continuity.nodes[2]
+    assert beyond.parts[2] == pytest.approx(jump / (1e3 * sustained), rel=1e-12)
 
 
 def test_pieces_that_do_not_meet_are_a_geometric_finding(paper):

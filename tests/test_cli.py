@@ -12,6 +12,7 @@ import pytest
 from tests.cases import PROBLEMS
 from timelaw.cli import app
 from timelaw.errors import InfeasibleError
+from timelaw.results_folder.manifest import MANIFEST
 
 
 def timelaw(*arguments, cwd=None):
@@ -33,7 +34,7 @@ def test_design_writes_its_files_and_says_so(designed):
     assert "time [s]" in done.stderr
     assert "\r" not in done.stderr
     names = {path.name for path in (folder / "results" / "first-steps").iterdir()}
-    assert names == {"law.json", "samples.csv", "report.html", "rates.svg", "easings.svg"}
+    assert names == {"law.json", "samples.csv", "report.html", "rates.svg", "easings.svg", MANIFEST}
 
 
 def test_verify_agrees_with_design(designed):
@@ -175,7 +176,7 @@ def test_an_interrupt_inside_the_solver_is_obeyed(monkeypatch):
 
     monkeypatch.setattr(casadi, "nlpsol", lambda *_: Stopped())
     with pytest.raises(KeyboardInterrupt):
-        ipopt.solve({}, [0.0], {"lbx": [0.0], "ubx": [1.0]}, strict=False)
+        ipopt.solve({}, [0.0], {"lbx": [0.0], "ubx": [1.0], "lbg": []}, strict=False)
 
 
 def test_no_solution_is_exit_3_and_an_interrupt_130(monkeypatch, capsys):
@@ -189,7 +190,7 @@ def test_no_solution_is_exit_3_and_an_interrupt_130(monkeypatch, capsys):
     assert app._run(["design", "x.yaml", "--json"]) == 3
     assert json.loads(capsys.readouterr().out)["exit_code"] == 3
     monkeypatch.setattr("timelaw.cli.design.run", interrupted)
-    assert app._run(["design", "x.yaml"]) == 130
+    assert app.run_command(["design", "x.yaml"]) == 130
 
 
 def test_help_and_version():

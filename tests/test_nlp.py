@@ -15,6 +15,7 @@ from timelaw.nlp import RunProblem, Status
 from timelaw.nlp import exchange as exchange_module
 from timelaw.nlp.ipopt import Outcome
 from timelaw.nlp.single_runs import solve_run
+from timelaw.nlp.verdicts import Verdict
 from timelaw.problem.problem import EasingModel
 
 DEG = np.pi / 180
@@ -160,7 +161,7 @@ def failing(times):
     def solve_or_fail(symbols, start, bounds, *, strict):
         calls.append(None)
         if len(calls) <= times:
-            return Outcome(np.full(len(start), np.nan), solved=False, acceptable=False, iterations=300)
+            return Outcome(np.full(len(start), np.nan), Verdict.RESTORATION, 300)
         return real(symbols, start, bounds, strict=strict)
 
     return solve_or_fail
@@ -187,7 +188,7 @@ def test_a_solver_that_always_fails_leaves_the_best_closed_form(monkeypatch):
 
 def test_a_solver_that_claims_success_with_a_slow_law_is_not_believed(monkeypatch):
     def slow(_symbols, start, _bounds, *, strict):  # noqa: ARG001
-        return Outcome(start * np.where(np.arange(len(start)) < 1, 50.0, 1.0), True, True, 1)
+        return Outcome(start * np.where(np.arange(len(start)) < 1, 50.0, 1.0), Verdict.SOLVED, 1)
 
     monkeypatch.setattr(exchange_module, "solve", slow)
     monkeypatch.setattr(exchange_module, "ROUNDS", 1)
@@ -224,7 +225,7 @@ def test_a_solver_that_fails_on_high_degrees_starts_from_a_simpler_easing(monkey
 
     def only_small(symbols, start, bounds, *, strict):
         if len(start) > 10:
-            return Outcome(start, solved=False, acceptable=False, iterations=300)
+            return Outcome(start, Verdict.ITERATIONS, 300)
         return real(symbols, start, bounds, strict=strict)
 
     monkeypatch.setattr(exchange_module, "solve", only_small)

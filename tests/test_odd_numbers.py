@@ -19,6 +19,7 @@ from timelaw.law_file.document import from_document, to_document
 from timelaw.pipeline import lay_out_problem
 from timelaw.problem.load import check_problem
 from timelaw.problem.source import read
+from timelaw.results_folder.manifest import MANIFEST
 from timelaw.study import read_study
 
 WHOLE = """\
@@ -200,6 +201,12 @@ def test_where_only_the_law_shows_it_nothing_else_is_lost(tmp_path, capsys):
     assert re.search(finding, result["findings"][0])
     assert re.search(f"finding: {finding}", done.err)
     assert result["certificate"]["holds"] is True
-    assert {path.name for path in out.iterdir()} == {"law.json", "report.html", "rates.svg", "easings.svg"}
+    assert {path.name for path in out.iterdir()} == {
+        "law.json",
+        "report.html",
+        "rates.svg",
+        "easings.svg",
+        MANIFEST,
+    }
     assert [name for name in result["files"] if "samples" in name] == []
     assert _run(["verify", str(out / "law.json")]) == 0

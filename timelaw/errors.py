@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from itertools import islice
 
 EXIT_DONE = 0
-EXIT_FINDINGS = 1
+EXIT_FINDINGS = EXIT_DEFECT = 1  # Python's own for a traceback
 EXIT_BAD_INPUT = 2
 EXIT_INFEASIBLE = 3
 EXIT_INTERRUPTED = 130
@@ -60,6 +60,10 @@ class TimelawError(Exception):
     def __init__(self, *faults: Fault | str) -> None:
         self.faults = tuple(f if isinstance(f, Fault) else Fault(f) for f in faults)
         super().__init__("\n".join(str(f) for f in self.faults))
+
+    def __reduce__(self) -> tuple[type["TimelawError"], tuple[Fault, ...]]:
+        """Sent from one process to another with all its faults."""
+        return type(self), self.faults
 
 
 class InputError(TimelawError):

@@ -3,11 +3,15 @@
 import os
 import stat
 import tempfile
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager, suppress
+from errno import EISDIR
 from math import isfinite
 from pathlib import Path
 from typing import Any
 
 from timelaw.errors import Fault, InputError
+from timelaw.interrupts import finish_work
 
 MAX_BYTES = 2_000_000  # of YAML, of which the slowest reads in 5 s; 5000 rotation matrices are half of it
 OTHER_KINDS = {  # what has no end, or gives nothing until somebody writes; a folder is refused when opened
@@ -89,49 +93,72 @@ def replace_unbounded(data: Any) -> Any:
 
 
 def write_file(path: Path, content: str | bytes) -> None:
-    """Replace `path` by a text or by bytes."""
-    write_bytes(path, content) if isinstance(content, bytes) else write_text(path, content)
+    """Replace `path` by a text or by bytes in one step; see `write_files`."""
+    write_files({path: content})
 
 
 def write_text(path: Path, text: str) -> None:
-    """Replace `path` by `text` (UTF-8, lines as they are) in one step; see `write_bytes`."""
-    write_bytes(path, text.encode("utf-8", errors="replace"))
+    """Replace `path` by `text` (UTF-8, lines as they are) in one step; see `write_files`."""
+    write_files({path: text})
 
 
-def write_bytes(path: Path, content: bytes) -> None:
-    """Replace `path` in one step; a reader never sees half a file.
+def write_files(contents: Mapping[Path, str | bytes]) -> None:
+    """Replace files by texts (UTF-8) or bytes; a reader never sees half a file.
+
+    All are written beside their places first, then each takes its place in one step.
 
     Raises:
-        InputError: the folder cannot be written.
+        InputError: one cannot be written; where a folder or the disk allows none, all are as they were.
+        Interrupted: a signal came before the first was in its place; likewise.
+    """
+    written: dict[Path, str] = {}
+    try:
+        for path, content in contents.items():
+            with _naming(path):
+                _write_beside(path, content, written)
+        with finish_work():
+            for path, temporary in list(written.items()):
+                with _naming(path):
+                    os.replace(temporary, path)
+                del written[path]
+    finally:
+        for temporary in written.values():
+            with suppress(OSError):
+                os.unlink(temporary)
+
+
+def _write_beside(path: Path, content: str | bytes, written: dict[Path, str]) -> None:
+    """Write a temporary file in the folder of `path`, and note its name before anything may fail.
+
+    Raises:
+        OSError: it cannot be written.
+    """
+    path.parent.mkdir(parents=True, exist_ok=True)
+    if path.is_dir():
+        raise IsADirectoryError(EISDIR, os.strerror(EISDIR))
+    handle, written[path] = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
+    with os.fdopen(handle, "wb") as file:
+        file.write(content if isinstance(content, bytes) else content.encode("utf-8", errors="replace"))
+        file.flush()
+        os.fsync(file.fileno())
+    os.chmod(written[path], 0o666 & ~read_umask())
+
+
+@contextmanager
+def _naming(path: Path) -> Iterator[None]:
+    """What the system refuses is told of this file.
+
+    Raises:
+        InputError: something was refused.
     """
     try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
-        try:
-            with os.fdopen(handle, "wb") as file:
-                file.write(content)
-            os.chmod(temporary, 0o666 & ~_umask())
-            os.replace(temporary, path)
-        except BaseException:
-            os.unlink(temporary)
-            raise
+        yield
     except OSError as error:
         raise InputError(Fault(f"cannot be written: {error.strerror or error}", "", str(path))) from None
 
 
-def remove_file(path: Path) -> None:
-    """Remove a file that may be there.
-
-    Raises:
-        InputError: it cannot be removed.
-    """
-    try:
-        path.unlink(missing_ok=True)
-    except OSError as error:
-        raise InputError(Fault(f"cannot be removed: {error.strerror or error}", "", str(path))) from None
-
-
-def _umask() -> int:
+def read_umask() -> int:
+    """The rights that new files and folders of this process do not get."""
     mask = os.umask(0)
     os.umask(mask)
     return mask

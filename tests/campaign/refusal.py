@@ -25,6 +25,7 @@ PLACE = re.compile(r":\d+:\d+: \S+")
 SAME = 1e-3  # of a factor
 ON_TIME = 2e-5  # of an earliest time
 SAME_ORIENTATION = 1e-6
+AXIS = 20  # times the precision over the angle: what an axis component, and a limit on it, may be off
 RICH = 1.05  # what a spline of another division may make of a factor
 
 
@@ -57,7 +58,9 @@ def _breaks_at_an_end(spec: Spec, legs: list[Leg]) -> bool:
     """Whether a rate at the start or the end is above its limit on the leg there."""
     ends = ((legs[0], spec.end_rates("start")), (legs[-1], spec.end_rates("end")))
     return any(
-        abs(rate) > leg.ceiling.rates[k] * (1 + 1e-12) for leg, rates in ends for k, rate in enumerate(rates)
+        abs(rate) > leg.ceiling.rates[k] * (1 + 1e-12 - AXIS * spec.precision / leg.angle)
+        for leg, rates in ends
+        for k, rate in enumerate(rates)
     )
 
 

@@ -57,7 +57,7 @@ def check_geometry(law: QuaternionLaw) -> tuple[GeometryCheck, ...]:
 
 
 def _step(before: Segment, after: Segment) -> float:
-    """The time between two segments in spacings of doubles there, exact: a gap of two may not look like less."""
+    """The time between two segments in spacings of doubles there, exact: no gap may look like less."""
     gap = Fraction(after.start_time) - Fraction(before.start_time) - Fraction(before.duration)
     return float(abs(gap) / Fraction(float(np.spacing(max(after.start_time, before.end_time)))))
 

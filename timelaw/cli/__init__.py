@@ -1,5 +1,5 @@
 """The command line: `timelaw design`, `verify`, `tour` and `sweep`."""
 
-from timelaw.cli.app import main
+from timelaw.cli.entry import main
 
 __all__ = ["main"]

@@ -1,17 +1,27 @@
 """Entry point: every way to end has its exit code, and with --json its object on stdout."""
 
-import sys
-from typing import NoReturn
+from math import isnan
 
 import click
 
 from timelaw import __version__
-from timelaw.cli.console import describe_error, print_json
-from timelaw.errors import EXIT_BAD_INPUT, EXIT_INTERRUPTED, Fault, TimelawError
+from timelaw.cli.console import describe_error
+from timelaw.cli.last_word import print_object, wants_json
+from timelaw.errors import EXIT_BAD_INPUT, EXIT_DEFECT, EXIT_DONE, Fault, TimelawError
+from timelaw.interrupts import Interrupted, check_interrupted, find_interrupt, say_last_words
+from timelaw.time_limit import limit_time
 
+SHORTEST, LONGEST = 1e-3, 1e8  # seconds, up to three years: what timers take
 EXIT_CODES = """\b
 Exit codes: 0 done and certified · 1 findings (a limit is broken, a node is missed)
-2 the command line or a file is wrong · 3 no solution · 130 interrupted"""
+2 the command line or a file is wrong · 3 no solution · 130 interrupted, 143 terminated"""
+
+
+def _refuse_nan(_context: click.Context, parameter: click.Parameter, value: float | None) -> float | None:
+    """Which no range keeps out."""
+    if value is not None and isnan(value):
+        raise click.BadParameter("nan is not a number of seconds", param=parameter)
+    return value
 
 
 @click.group(
@@ -27,12 +37,19 @@ def timelaw() -> None:
 @timelaw.command()
 @click.argument("problem", type=click.Path())
 @click.option("-o", "--output", type=click.Path(), help="Folder for the results  [default: results/<name>]")
+@click.option(
+    "--time-limit",
+    type=click.FloatRange(SHORTEST, LONGEST),
+    callback=_refuse_nan,
+    help="Seconds of wall time, after which the best law so far is taken.",
+)
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object on stdout.")
-def design(problem: str, output: str | None, as_json: bool) -> int:
+def design(problem: str, output: str | None, time_limit: float | None, as_json: bool) -> int:
     """Design the law of a PROBLEM file: law.json, samples.csv, report.html and its figures."""
-    from timelaw.cli.design import run
+    with limit_time(time_limit):
+        from timelaw.cli.design import run
 
-    return run(problem, output, as_json=as_json)
+        return run(problem, output, as_json=as_json)
 
 
 @timelaw.command()
@@ -76,15 +93,28 @@ def verify(law: str, as_json: bool) -> int:
     return run(law, as_json=as_json)
 
 
-def main() -> NoReturn:
-    """Run the command line and leave with its exit code."""
-    sys.exit(_run(sys.argv[1:]))
+def run_command(arguments: list[str]) -> int:
+    """Run the command line; returns the exit code of every end but a defect of ours, which is raised.
+
+    Whatever is raised after a signal came is its doing: C code turns it into errors of its own.
+    """
+    try:
+        return _run(arguments)
+    except (Exception, KeyboardInterrupt) as error:
+        interrupt = find_interrupt() or _find_interrupt_in(error)
+        if interrupt is None:
+            say_last_words()
+            if wants_json(arguments):
+                print_object(describe_error(TimelawError(f"a defect of timelaw: {error!r}"), EXIT_DEFECT))
+            raise
+        return _failed(arguments, TimelawError(str(interrupt)), interrupt.exit_code)
 
 
 def _run(arguments: list[str]) -> int:
     try:
         code = timelaw.main(arguments, prog_name="timelaw", standalone_mode=False)
     except TimelawError as error:
+        check_interrupted()
         return _failed(arguments, error)
     except click.UsageError as error:
         place = error.ctx.command_path if error.ctx else "timelaw"
@@ -93,15 +123,20 @@ def _run(arguments: list[str]) -> int:
         return _failed(arguments, TimelawError(Fault(message, where)), EXIT_BAD_INPUT)
     except click.ClickException as error:
         return _failed(arguments, TimelawError(error.format_message()), EXIT_BAD_INPUT)
-    except (click.Abort, KeyboardInterrupt):
-        return _failed(arguments, TimelawError("interrupted"), EXIT_INTERRUPTED)
-    return code if isinstance(code, int) else 0
+    return code if isinstance(code, int) else EXIT_DONE
+
+
+def _find_interrupt_in(error: BaseException) -> Interrupted | None:
+    """Whether an error is an interrupt, from wherever; click makes an error of its own of it."""
+    is_one = isinstance(error, click.Abort | KeyboardInterrupt)
+    return Interrupted() if is_one else None
 
 
 def _failed(arguments: list[str], error: TimelawError, code: int | None = None) -> int:
     code = error.exit_code if code is None else code
+    say_last_words()
     for fault in error.faults:
         click.echo(f"timelaw: {fault}", err=True)
-    if "--json" in arguments[: arguments.index("--") if "--" in arguments else None]:
-        print_json(describe_error(error, code))
+    if wants_json(arguments):
+        print_object(describe_error(error, code))
     return code

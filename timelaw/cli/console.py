@@ -1,14 +1,14 @@
 """What the commands print: one JSON object on stdout if asked, all human text on stderr."""
 
-import json
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from timelaw.cli.last_word import print_object
 from timelaw.errors import TimelawError
-from timelaw.files import replace_unbounded
+from timelaw.interrupts import finish_work
 from timelaw.progress import Progress
 from timelaw.units import convert, name_unit
 
@@ -20,8 +20,13 @@ UNBOUNDED = 100_000  # characters; no table of ours is wider
 
 
 def print_json(data: dict[str, Any]) -> None:
-    """One object on stdout; what has no bound, or is no number, is null: findings say what it is."""
-    print(json.dumps(replace_unbounded(data), indent=1, allow_nan=False))
+    """The object of finished work on stdout, whole even if a signal comes now.
+
+    Raises:
+        Interrupted: one came before.
+    """
+    with finish_work():
+        print_object(data)
 
 
 def describe_error(error: TimelawError, code: int) -> dict[str, Any]:

@@ -10,29 +10,36 @@ from timelaw.errors import EXIT_DONE, EXIT_FINDINGS, InputError
 from timelaw.export import format_law
 from timelaw.export.registry import EXPORTERS
 from timelaw.export.samples_csv import refuse_too_many_rows
-from timelaw.files import remove_file, write_file
 from timelaw.pipeline import Design, Layout, design_layout, lay_out
 from timelaw.report import LawRow, list_law_rows, render_report
 from timelaw.report.outcome import describe_outcome, measure_gain
 from timelaw.report.tour_text import describe_moves
 from timelaw.requirements.route_limit import find_route_limit
+from timelaw.results_folder import repair_results, write_results
+from timelaw.time_limit import refuse_when_over, set_aside
+
+NO_ROUTE = (
+    "the time limit ended before the route was known, and so before any law; give more with --time-limit"
+)
+REST, REST_OF_LEG = 1.0, 0.03  # seconds: what proof, report and files take; samples of long laws take longer
+COMMAND = "design"  # whose results these are, in a folder that may have those of others
 
 
 def run(problem: str, output: str | None, *, as_json: bool) -> int:
     """Design the law of a problem file and write its results; returns the exit code."""
     path = Path(problem)
     with show_progress() as report:
-        layout = lay_out(path, report)
+        with refuse_when_over(NO_ROUTE):
+            layout = lay_out(path, report)
+        set_aside(REST + REST_OF_LEG * len(layout.route.legs))
         _refuse_too_many_samples(layout)
+        folder = Path(output) if output is not None else RESULTS / layout.problem.name
+        repair_results(folder)
         done = design_layout(layout, report)
-        folder = Path(output) if output is not None else RESULTS / done.problem.name
-        samples, left_out = list_samples(done)
+        samples, left_out = list_samples(done)  # old ones of what is left out go with the other old results
         files = list_files(done, path, samples)
-        for name, content in files.items():
-            write_file(folder / name, content)
-        for name in left_out:
-            remove_file(folder / name)  # of another law, if there is one
-    rows = list_law_rows(done)
+        rows = list_law_rows(done)
+        write_results(folder, COMMAND, files)
     certificate = done.optimised.certificate
     _print(done, rows, folder)
     for finding in left_out.values():
@@ -44,6 +51,7 @@ def run(problem: str, output: str | None, *, as_json: bool) -> int:
                 "ok": code == EXIT_DONE,
                 "exit_code": code,
                 "name": done.problem.name,
+                "stopped_early": done.solution.stopped_early,
                 "files": [str(folder / name) for name in files],
                 "laws": [row.to_dict() for row in rows],
                 **_objective(done),
@@ -85,10 +93,12 @@ def list_files(
         "problem": path.name,
         "problem_digest": digest,
         "solver": [
-            {"status": s.status.value, "rounds": s.rounds, "iterations": s.iterations, "gap": s.gap}
+            {"status": s.describe(), "rounds": s.rounds, "iterations": s.iterations, "gap": s.gap}
             for s in done.solution.solutions
         ],
     }
+    if done.solution.stopped_early:
+        provenance["stopped_early"] = True
     law = done.optimised.law
     return {
         "law.json": format_law(law, done.optimised.certificate, provenance),
@@ -133,7 +143,7 @@ def _print(done: Design, rows: list[LawRow], folder: Path) -> None:
         say(sentence)
     for sentence in describe_moves(done.orientations, done.route):
         say(sentence)
-    for status in sorted({s.status.value for s in done.solution.solutions}):
+    for status in sorted({s.describe() for s in done.solution.solutions}):
         say(f"{done.family.label}: {status}")
     verdict = "certified: all limits hold for all t" if rows[0].holds else "NOT certified"
     say(f"{verdict}; report: {folder / 'report.html'}")

@@ -6,26 +6,27 @@ from pathlib import Path
 
 from timelaw.cli.console import RESULTS, print_json, print_table, say, show_progress
 from timelaw.errors import EXIT_DONE, EXIT_FINDINGS, EXIT_INFEASIBLE
-from timelaw.files import write_text
 from timelaw.report.figures.front import draw_front
+from timelaw.results_folder import repair_results, write_results
 from timelaw.study import Outcome, Study, read_study, run_study
 from timelaw.study.table import format_study, list_cells, list_headings
 
+COMMAND = "sweep"  # whose results these are, in a folder that may have those of others
 HIDDEN = ("continuity", "easing", "status")  # in the CSV file; too wide for a screen
 
 
 def run(path: str, output: str | None, processes: int | None, *, as_json: bool) -> int:
     """Run a study and write its results; returns the exit code."""
     study = read_study(Path(path))
+    folder = Path(output) if output is not None else RESULTS / study.name
+    repair_results(folder)
     with show_progress() as report:
         outcomes = run_study(study, processes, report)
-    folder = Path(output) if output is not None else RESULTS / study.name
     files = {"sweep.csv": format_study(outcomes)}
     groups = _groups(study, outcomes)
     if groups:
         files["front.svg"] = draw_front(study.name, study.effort, groups)
-    for name, text in files.items():
-        write_text(folder / name, text)
+    write_results(folder, COMMAND, files)
     code = _code(outcomes)
     _print(outcomes, folder)
     if as_json:

@@ -9,7 +9,7 @@ import numpy as np
 from timelaw.cli.console import print_json, print_table, say, show_progress
 from timelaw.errors import EXIT_DONE, InputError
 from timelaw.export.orientations_csv import format_orientations
-from timelaw.files import write_text
+from timelaw.files import write_files
 from timelaw.pipeline import Layout, lay_out
 from timelaw.report.tour_text import describe_merits, list_merit_data, list_notes, measure_arcs
 from timelaw.requirements.route_limit import find_route_limit
@@ -40,8 +40,9 @@ def run(problem: str, output: str | None, *, table: bool, as_json: bool) -> int:
         from timelaw.report.figures.sphere import draw_traces
 
         path = Path(output)
-        write_text(path, format_orientations(layout.orientations, layout.tour, layout.route))
-        write_text(path.with_suffix(PICTURE), draw_traces(layout.problem.name, layout.route))
+        table_text = format_orientations(layout.orientations, layout.tour, layout.route)
+        picture = draw_traces(layout.problem.name, layout.route)
+        write_files({path: table_text, path.with_suffix(PICTURE): picture})
         found["files"] = [str(path), str(path.with_suffix(PICTURE))]
         say(f"orientations in the tour's order: {path}; picture: {path.with_suffix(PICTURE)}")
     if as_json:

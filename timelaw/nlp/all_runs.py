@@ -9,6 +9,7 @@ from timelaw.easing import Timing
 from timelaw.errors import Fault, InfeasibleError
 from timelaw.nlp.given_runs import (
     SHOWN,
+    TIME_OVER,
     find_least_peak,
     holds_limits,
     solve_from_peak,
@@ -16,11 +17,13 @@ from timelaw.nlp.given_runs import (
 )
 from timelaw.nlp.program import Program, RunProblem
 from timelaw.nlp.solution import Solution, Status, sum_durations
+from timelaw.nlp.verdicts import Verdict
 from timelaw.objectives import OBJECTIVES
 from timelaw.problem.objective import Goal
 from timelaw.requirements import Requirements
 from timelaw.requirements.given_times import LAST_DIGIT, Budget, find_stretch, list_budgets, meet_budgets
 from timelaw.route import Route
+from timelaw.time_limit import is_late
 
 SAME_START = 1e-9  # relative, of a duration: from there the solver goes the same way
 LEAST_FACTOR = 0.2  # of the least-time law; a start far beyond the limits helps nobody
@@ -77,7 +80,8 @@ def solve_together(
         budget.legs in by_runs for budget in budgets
     )  # parts of one run, stretched apart, do not join
     starts = [Solution(start, Status.STRETCHED)] if elastic and apart else []
-    solution = solve_from(program, start)
+    failures: list[Verdict] = []
+    solution = solve_from(program, start, failures)
     if solution is None or not holds_limits(program, solution):
         stops = _stop_everywhere(program)
         others = [stop.timings for stop in stops if not _same(stop.timings, start)]
@@ -87,7 +91,10 @@ def solve_together(
         return _on_time(runs, solution, budgets)
     feasible = [known for known in starts if holds_limits(program, known)]
     if feasible:
-        return _on_time(runs, feasible[0], budgets)
+        known = replace(feasible[0], status=Status.STOPPED) if is_late() else feasible[0]
+        return _on_time(runs, replace(known, failures=tuple(failures)), budgets)
+    if is_late():
+        raise InfeasibleError(Fault(TIME_OVER, given[-1].where if given else ""))
     where = _find_hardest(program, start, given)
     return _on_time(runs, solve_from_peak(program, [start], where), budgets)
 

@@ -7,6 +7,8 @@ from math import inf
 from timelaw.easing import Timing, smoothstep
 from timelaw.nlp.program import Program, RunProblem
 from timelaw.nlp.solution import Solution, Status
+from timelaw.nlp.verdicts import Verdict
+from timelaw.time_limit import is_late
 
 SAME_TIME = 2e-6  # relative: the gap that the solver is left with, and where the closed form is the optimum
 
@@ -23,9 +25,9 @@ def solve_elastic(problem: RunProblem, enough: float = inf) -> Solution:
     known = _closed_form(problem)
     if known.status is not Status.CLOSED_FORM:
         return known
-    program, found = Program((problem,)), list[Solution]()
+    program, found, failures = Program((problem,)), list[Solution](), list[Verdict]()
     for status, start in list_starts(problem):
-        solution = solve_from(program, start, enough)
+        solution = solve_from(program, start, failures, enough)
         if solution is None:
             continue
         if solution.duration > enough and solution.status in (Status.OPTIMAL, Status.GAP_LEFT):
@@ -34,9 +36,10 @@ def solve_elastic(problem: RunProblem, enough: float = inf) -> Solution:
         found.insert(0, replace(solution, status=status) if optimal else solution)
         if optimal and _plausible(solution, known):
             return _fastest(found, known)
-    if not found:
+    if not found and not is_late():
         found += _from_simpler(problem, program)
-    return _fastest([*found, known], known)
+    best = _fastest([*found, replace(known, failures=tuple(failures))], known)
+    return replace(best, status=Status.STOPPED) if is_late() else best
 
 
 def _fastest(found: Sequence[Solution], known: Solution) -> Solution:

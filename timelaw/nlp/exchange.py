@@ -22,26 +22,40 @@ from timelaw.nlp.program import Program
 from timelaw.nlp.rooms import list_points, list_rooms, list_stays
 from timelaw.nlp.solution import Solution, Status, sum_durations
 from timelaw.nlp.transcription import Points, pack, transcribe
+from timelaw.nlp.verdicts import Verdict
 from timelaw.numerics.array import Array
+from timelaw.time_limit import is_late
 
+STATUSES = {Verdict.SOLVED: Status.OPTIMAL, Verdict.STOPPED: Status.STOPPED}
 GAP = 1e-6  # relative: what the limits between the points may still cost, in time or in their used part
 ROUNDS = 12
 INSIDE = 1.01  # a start on the limits themselves costs an interior-point method many iterations
 
 
-def solve_from(program: Program, start: Sequence[Timing], enough: float = inf) -> Solution | None:
+def solve_from(
+    program: Program,
+    start: Sequence[Timing],
+    failures: list[Verdict] | None = None,
+    enough: float = inf,
+) -> Solution | None:
     """Solve a program from given timings; None where the solver fails before it has any solution.
 
     A law that no stretch of time brings within the limits counts as a failure of the solver. Alike runs
-    are solved as one. As soon as the limits at the points alone take more time than `enough` [s], what is
-    known is returned: no point that is added makes a law faster.
+    are solved as one. Verdicts of a solver that failed are added to `failures`. Where the time is over, the
+    solution is what there was by then, if that is anything. As soon as the limits at the points alone take
+    more time than `enough` [s], what is known is returned: no point that is added makes a law faster.
     """
+    if is_late():
+        return None
     alike = merge_alike(program)
-    solution = _exchange(alike.program, alike.pick(start), enough)
+    kept = [] if failures is None else failures
+    solution = _exchange(alike.program, alike.pick(start), kept, enough)
     return None if solution is None else replace(solution, timings=alike.spread(solution.timings))
 
 
-def _exchange(program: Program, start: Sequence[Timing], enough: float) -> Solution | None:
+def _exchange(
+    program: Program, start: Sequence[Timing], failures: list[Verdict], enough: float
+) -> Solution | None:
     """Solve, demand the limits where they are broken, and solve again."""
     units = np.array([timing.duration for timing in start])
     points, stay = list_points(program), list_stays(program)
@@ -56,7 +70,7 @@ def _exchange(program: Program, start: Sequence[Timing], enough: float) -> Solut
         first = _start(program, timings, units, scale)
         outcome = solve(transcription.symbols, first, transcription.bounds, strict=program.moving)
         iterations += outcome.iterations
-        if not _is_usable(outcome) and rounds > 1:  # once more from where all began
+        if not _is_usable(outcome) and not outcome.stopped and rounds > 1:  # once more from where all began
             outcome = solve(
                 transcription.symbols,
                 _start(program, begun, units, scale),
@@ -64,16 +78,21 @@ def _exchange(program: Program, start: Sequence[Timing], enough: float) -> Solut
                 strict=program.moving,
             )
             iterations += outcome.iterations
-        if not _is_usable(outcome):
-            return best if best is None else replace(best, status=Status.ACCEPTABLE, iterations=iterations)
+        partial = outcome.stopped and program.elastic and program.objective.separable
+        if not _is_usable(outcome) and not (partial and np.all(np.isfinite(outcome.x))):
+            if not outcome.stopped:
+                failures.append(outcome.verdict)
+            return _give_up(best, iterations, Status.STOPPED if outcome.stopped else Status.ACCEPTABLE)
         found = transcription.timings(outcome.x)
         try:
             timings, gap = _closed(program, found, _used(program, outcome, scale))
         except InfeasibleError:
-            return best if best is None else replace(best, status=Status.ACCEPTABLE, iterations=iterations)
-        status = Status.OPTIMAL if outcome.solved else Status.ACCEPTABLE
+            return _give_up(best, iterations, Status.ACCEPTABLE)
+        status = STATUSES.get(outcome.verdict, Status.ACCEPTABLE)
         solution = Solution(timings, status, iterations, rounds, gap, transcription.rows)
         best = _better(program, best, solution)
+        if outcome.stopped:
+            return replace(best, status=status)
         strayed = add_departures(stay, program, found)
         if program.elastic and sum_durations(found) > enough:
             break
@@ -84,6 +103,11 @@ def _exchange(program: Program, start: Sequence[Timing], enough: float) -> Solut
     if best is not None and best.status is Status.OPTIMAL and best.gap > GAP:
         return replace(best, status=Status.GAP_LEFT)
     return best
+
+
+def _give_up(best: Solution | None, iterations: int, status: Status) -> Solution | None:
+    """What the rounds before found, if they did."""
+    return None if best is None else replace(best, status=status, iterations=iterations)
 
 
 def _is_usable(outcome: Outcome) -> bool:

@@ -15,11 +15,14 @@ from timelaw.nlp.elastic_runs import SAME_TIME, list_starts, solve_elastic
 from timelaw.nlp.end_checks import check_ends
 from timelaw.nlp.program import FARTHEST, LEAST_PEAK, Program, RunProblem
 from timelaw.nlp.solution import Solution, Status, sum_durations
+from timelaw.nlp.verdicts import Verdict
 from timelaw.requirements.given_times import find_stretch
+from timelaw.time_limit import is_late
 
 SAME_RATE = 1e-9  # relative: a run entered and left at one speed
 PACES = (1.0, 0.5, 2.0)  # of a start: a moving run may take less or more time than one from rest to rest
 LEAST_MARGIN = 1e-8  # of the limits, where a greater one leaves no room
+TIME_OVER = "the time limit ended the search before any law was found; give more with --time-limit"
 SHOWN = 1e-5  # relative; a factor nearer to one is written with more digits
 
 
@@ -44,7 +47,9 @@ def solve_given(problem: RunProblem) -> Solution:
     if stays and not solved and known is None:
         solved = _solve_from_least(problem, program)
     if solved or known:
-        return min([*solved, *([known] if known else [])], key=lambda solution: solution.duration)
+        best = min([*solved, *([known] if known else [])], key=lambda solution: solution.duration)
+        optimal = best.status in (Status.OPTIMAL, Status.SECOND_START)
+        return replace(best, status=Status.STOPPED) if is_late() and not optimal else best
     return solve_from_peak(program, [start for _, start in starts], problem.where, stays=stays)
 
 
@@ -110,14 +115,17 @@ def solve_from_peak(
     First on the arcs, with hardly any margin, unless it is known that no law `stays` there; then beyond them.
 
     Raises:
-        InfeasibleError: the least part that was found is more than all of them.
+        InfeasibleError: the least part that was found is more than all of them, or the time is over.
     """
     from timelaw.nlp.exchange import solve_from
 
     factors = []
+    failures: list[Verdict] = []
     tries = (replace(program, margin=LEAST_MARGIN), replace(program, beyond=FARTHEST))
     for tried in tries if stays else tries[1:]:
-        least = find_least_peak(tried, starts)
+        least = find_least_peak(tried, starts, failures)
+        if is_late():
+            raise InfeasibleError(Fault(TIME_OVER, where))
         if least is None:
             continue
         used = used_fraction(program.demands, least.timings)
@@ -135,23 +143,33 @@ def solve_from_peak(
             return replace(best, status=Status.BEYOND if tried.beyond else Status.SECOND_START)
         if used <= 1:
             return replace(least, status=Status.BEYOND if tried.beyond else Status.LEAST_PEAK)
-    raise InfeasibleError(_explain(program, starts, factors, where))
+    fault = _explain(program, starts, factors, failures, where)
+    raise InfeasibleError(Fault(TIME_OVER, where) if is_late() else fault)
 
 
-def _explain(program: Program, starts: Sequence[Sequence[Timing]], factors: list[float], where: str) -> Fault:
+def _explain(
+    program: Program,
+    starts: Sequence[Sequence[Timing]],
+    factors: list[float],
+    failures: list[Verdict],
+    where: str,
+) -> Fault:
     """By how much the limits would have to give, however far the body ran beyond its nodes, if that helps."""
-    anywhere = find_least_peak(replace(program, beyond=inf), starts)
+    anywhere = find_least_peak(replace(program, beyond=inf), starts, failures)
     if anywhere is not None and not holds_limits(program, anywhere):
         factors = [used_fraction(program.demands, anywhere.timings)]
     if not factors:
-        return Fault("the solver found no law; give more time or another degree", where)
+        ends = "".join(f"; IPOPT: {verdict.value}: {verdict.remedy}" for verdict in dict.fromkeys(failures))
+        return Fault(f"the solver found no law; give more time or another degree{ends}", where)
     used = min(factors)
     times = f"{used:.6g}" if used > 1 + SHOWN else f"{used:.12g}"
     message = f"{_name_given(program)} the limits would have to be {times} times as large"
     return Fault(message, where)
 
 
-def find_least_peak(program: Program, starts: Sequence[Sequence[Timing]]) -> Solution | None:
+def find_least_peak(
+    program: Program, starts: Sequence[Sequence[Timing]], failures: list[Verdict] | None = None
+) -> Solution | None:
     """The law that uses the least part of the limits, of all starts; None where the solver finds none.
 
     Where the times are open, at several paces.
@@ -163,7 +181,7 @@ def find_least_peak(program: Program, starts: Sequence[Sequence[Timing]]) -> Sol
     open_times = not program.budgets and any(demand.duration is None for demand in program.demands)
     for pace in PACES if open_times else PACES[:1]:
         for start in starts:
-            solution = solve_from(peaks, [timing.stretched(pace) for timing in start])
+            solution = solve_from(peaks, [timing.stretched(pace) for timing in start], failures)
             if solution is None:
                 continue
             used = used_fraction(program.demands, solution.timings)

@@ -16,6 +16,7 @@ from timelaw.problem import Problem
 from timelaw.progress import Progress
 from timelaw.requirements import Requirements
 from timelaw.route import Route
+from timelaw.time_limit import is_late
 
 SAME_DURATION = 1e-9
 PROBES = 4  # of the families, poorest first, that are tried where the poorest cannot do what is given
@@ -75,7 +76,8 @@ def _least_within(
     A family is given up as soon as its first runs take more than all of them may; which one is the nearest is
     judged by the runs that were solved. The search ends at families too large for a run of so many legs; and
     where runs begin or end moving, or have times, at one that gains less than half of what is near enough:
-    there the limit is one that need not be reached by any law.
+    there the limit is one that need not be reached by any law. When the time is over, the family at hand is
+    taken.
     """
     kind, easing = problem.easing.kind, problem.easing
     limit, within = sum(run.limit for run in requirements.by_run(route)), kind.allowed_excess(easing)
@@ -156,6 +158,6 @@ def _solve_within(
         solutions.append(solution)
         excess += count[key] * (solution.duration - run.run.limit)
         known += count[key] * run.run.limit
-        if excess > allowed:
+        if excess > allowed and not is_late():
             return [], excess / known if known else inf
     return solutions, 0.0

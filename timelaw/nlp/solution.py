@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from enum import Enum
 
 from timelaw.easing import Timing
+from timelaw.nlp.verdicts import Verdict
 
 
 class Status(Enum):
@@ -20,6 +21,10 @@ class Status(Enum):
     GAP_LEFT = (
         "the rounds ended before what the limits still cost was small: the law holds its limits, but may be "
         "from the optimum by as much as its gap; try another easing"
+    )
+    STOPPED = (
+        "stopped early by the time limit: the best law found by then is used; it holds the limits, but may "
+        "not be least; give more time with --time-limit"
     )
     STRETCHED = (
         "the solver failed on the objective: the least-time law, stretched to the given times, is used; "
@@ -48,7 +53,7 @@ class Solution:
 
     `rounds` counts solutions of the nonlinear program: after each, the extrema that exceed a
     limit are demanded too. `gap` is what those cost at the end, relative in time for least time,
-    else in the part of the limits that is used.
+    else in the part of the limits that is used. `failures` are the solver's verdicts where it failed.
     """
 
     timings: tuple[Timing, ...]
@@ -57,6 +62,12 @@ class Solution:
     rounds: int = 0
     gap: float = 0.0
     rows: int = 0
+    failures: tuple[Verdict, ...] = ()
+
+    def describe(self) -> str:
+        """How it was found, and where the solver failed its verdicts, with what to do."""
+        verdicts = [f"{verdict.value}: {verdict.remedy}" for verdict in dict.fromkeys(self.failures)]
+        return "; IPOPT: ".join([self.status.value, *verdicts])
 
     @property
     def duration(self) -> float:
@@ -74,6 +85,11 @@ class Timings:
     timings: tuple[Timing, ...]
     solutions: tuple[Solution, ...]
     of_run: tuple[int, ...]
+
+    @property
+    def stopped_early(self) -> bool:
+        """Whether the time limit ended the search for any of them."""
+        return any(solution.status is Status.STOPPED for solution in self.solutions)
 
 
 def sum_durations(timings: Sequence[Timing]) -> float:

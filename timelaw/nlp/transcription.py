@@ -18,13 +18,14 @@ import numpy as np
 
 from timelaw.easing import Timing
 from timelaw.easing.family import Basis
+from timelaw.interrupts import check_interrupted, shield
 from timelaw.limits import Demand
+from timelaw.nlp.leg_symbols import LegSymbols, rates_at
 from timelaw.nlp.program import Program, RunProblem
+from timelaw.nlp.terms import Terms
 from timelaw.numerics.array import Array
-from timelaw.objectives import EFFORTS
 
 Points = list[list[Array]]  # points[leg][row]: where that row is demanded on that leg
-SPARSE = 1e-15  # of the largest entry of a column; rows are checked on the law itself afterwards
 LEAST_DURATION = 1e-6  # in units of the start's duration of that leg, which itself holds the limits
 
 
@@ -40,26 +41,13 @@ class Transcription:
 
     def timings(self, x: Array) -> tuple[Timing, ...]:
         """Timings of the legs from the variables (n,) of a solution."""
-        durations, *parts = (np.array(part).ravel() for part in self.unpack(x))
+        with shield():
+            durations, *parts = [np.array(part).ravel() for part in self.unpack(x)]
         legs = zip(durations, self.program.bases, parts[::3], parts[1::3], parts[2::3], strict=True)
         return tuple(Timing(float(t), basis.easing(*coefficients)) for t, basis, *coefficients in legs)
 
 
-@dataclass
-class _Leg:
-    """Symbols of one leg: duration [s], derivatives at both ends, free coefficients."""
-
-    duration: Any
-    left: Any
-    free: Any
-    right: Any
-
-    def apply(self, basis: Basis, matrix: Array | None = None) -> Any:
-        """Control points, or a matrix times them; constants lose their zeros, most of a spline's."""
-        parts = ((basis.from_left, self.left), (basis.from_free, self.free), (basis.from_right, self.right))
-        return sum(_sparse(part if matrix is None else matrix @ part) @ symbol for part, symbol in parts)
-
-
+@shield()
 def transcribe(
     program: Program, points: Points, rooms: Points, stay: Sequence[Array], units: Array, effort_scale: float
 ) -> Transcription:
@@ -72,7 +60,7 @@ def transcribe(
     sizes = [len(demands), *(_sizes(run) for run in program.runs), 1]
     x = ca.MX.sym("x", sum(sizes))
     durations, *parts, peak = ca.vertsplit(x, [0, *accumulate(sizes)])
-    legs: list[_Leg] = []
+    legs: list[LegSymbols] = []
     for run, part in zip(program.runs, parts, strict=True):
         own = slice(len(legs), len(legs) + len(run.demands))
         legs += _run(run, durations[own] * ca.DM(units[own]), part, units[own])
@@ -101,14 +89,16 @@ def transcribe(
         "ubg": np.concatenate([upper, 1 + beyond, ones]),
     }
     unit_time = float(np.average(units, weights=program.leg_counts))
-    objective = program.objective.expression(_Terms(program, legs, unit_time, effort_scale, peak))
+    objective = program.objective.expression(Terms(program, legs, unit_time, effort_scale, peak))
     symbols = {"x": x, "f": objective, "g": ca.vertcat(g, *near, *times)}
     coefficients = [part for leg in legs for part in (leg.left, leg.free, leg.right)]
     unpack = ca.Function("unpack", [x], [seconds, *coefficients])
     return Transcription(program, symbols, bounds, unpack, int(g.numel()))
 
 
-def _stay_near_arcs(program: Program, legs: Sequence[_Leg], stay: Sequence[Array]) -> tuple[list[Any], Array]:
+def _stay_near_arcs(
+    program: Program, legs: Sequence[LegSymbols], stay: Sequence[Array]
+) -> tuple[list[Any], Array]:
     """The easing of each leg at the points τ in `stay`, and how far below 0 and above 1 it may be there.
 
     From rest to rest it stays between by itself; where a leg has time to spend, a long run-up would pay.
@@ -130,12 +120,11 @@ def _scale(run: RunProblem) -> float:
     return float(np.mean([demand.angle for demand in run.demands]))
 
 
-def _run(run: RunProblem, durations: Any, part: Any, units: Array) -> list[_Leg]:
+def _run(run: RunProblem, durations: Any, part: Any, units: Array) -> list[LegSymbols]:
     """The legs of a run, joined at its straight nodes by shared rates."""
     count, r = len(run.demands), run.family.continuity
     scale, unit = _scale(run), float(np.mean(units))
-    inner = r * (count - 1)
-    cuts = [0, *accumulate((basis.free for basis in run.bases), initial=inner)]
+    cuts = [0, *accumulate((basis.free for basis in run.bases), initial=r * (count - 1))]
     shared, *free = ca.vertsplit(part, cuts)  # CasADi's slices beyond a single element are not empty
     speeds: Any = ca.reshape(shared, r, count - 1)
     ends = [_end(rates, r, unit, scale) for rates in (run.start, run.end)]
@@ -145,7 +134,7 @@ def _run(run: RunProblem, durations: Any, part: Any, units: Array) -> list[_Leg]
         before = speeds[:, k - 1] if k else ends[0]
         after = speeds[:, k] if k < count - 1 else ends[1]
         left, right = ca.vertcat(0.0, before * powers), ca.vertcat(1.0, after * powers)
-        legs.append(_Leg(durations[k], left, free[k], right))
+        legs.append(LegSymbols(durations[k], left, free[k], right))
     return legs
 
 
@@ -155,66 +144,16 @@ def _end(rates: Sequence[float], continuity: int, unit: float, scale: float) -> 
     return ca.DM([rate * unit**i / scale for i, rate in enumerate(given, 1)])
 
 
-def _rates(angle: float, leg: _Leg, basis: Basis, tau: Array, orders: Sequence[int]) -> dict[int, Any]:
-    """Rates of the angle at the points τ."""
-    return {k: angle / leg.duration**k * leg.apply(basis, basis.values(tau, k)) for k in orders}
-
-
-def _sparse(matrix: Array) -> Any:
-    """A constant without its zeros and what is only rounding."""
-    rounding = SPARSE * np.max(np.abs(matrix), axis=0, initial=0.0)
-    return ca.sparsify(ca.DM(np.where(np.abs(matrix) > rounding, matrix, 0.0)))
-
-
-def _limit_rows(demand: Demand, leg: _Leg, basis: Basis, points: Sequence[Array]) -> list[tuple[Any, int]]:
+def _limit_rows(
+    demand: Demand, leg: LegSymbols, basis: Basis, points: Sequence[Array]
+) -> list[tuple[Any, int]]:
     """Rows of one leg over their bounds, each with its root."""
+    check_interrupted()
     rows = []
     for row, tau in zip(demand.rows, points, strict=True):
-        rates = _rates(demand.angle, leg, basis, tau, row.orders)
+        rates = rates_at(demand.angle, leg, basis, tau, row.orders)
         rows.append((ca.densify(row.value(rates) / row.bound), row.root))
     return rows
-
-
-@dataclass(frozen=True)
-class _Terms:
-    """What objectives are made of, as expressions; see `timelaw.objectives.objective.Terms`."""
-
-    program: Program
-    symbols: Sequence[_Leg]
-    unit: float
-    scale: float
-    used_part: Any
-
-    @property
-    def legs(self) -> int:
-        """How many."""
-        return sum(self.program.leg_counts)
-
-    @property
-    def weight(self) -> float | None:
-        """Of an effort against time."""
-        return self.program.weight
-
-    @property
-    def elastic(self) -> bool:
-        """Whether time may be stretched afterwards."""
-        return self.program.elastic
-
-    @property
-    def time(self) -> Any:
-        """Total time in mean durations of the start."""
-        durations = ca.vertcat(*(leg.duration for leg in self.symbols))
-        return ca.dot(ca.DM(self.program.leg_counts), durations) / self.unit
-
-    def effort(self, name: str) -> Any:
-        """∫ g dt over all legs over that of the start, by Gauss-Legendre, exact for polynomials."""
-        effort = EFFORTS[name]
-        terms = []
-        for demand, leg, basis in zip(self.program.demands, self.symbols, self.program.bases, strict=True):
-            tau, weights = basis.quadrature()
-            rates = _rates(demand.angle, leg, basis, tau, effort.orders)
-            terms.append(leg.duration * ca.dot(ca.DM(weights), effort.integrand(demand, rates)))
-        return ca.dot(ca.DM(self.program.leg_counts), ca.vertcat(*terms)) / (self.scale or 1.0)
 
 
 def _variable_bounds(program: Program, units: Array, sizes: Sequence[int]) -> dict[str, Array]:

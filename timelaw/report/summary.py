@@ -104,7 +104,7 @@ def _run_row(count: int, demands: Sequence[Demand], least: float, solution: Solu
         tuple(demand.angle for demand in demands),
         solution.duration,
         _exceed(solution.duration, least),
-        solution.status.value,
+        solution.describe(),
         solution.rounds,
         solution.iterations,
         solution.rows,

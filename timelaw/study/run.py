@@ -1,10 +1,8 @@
 """Run a study: every point a design of its own, on the processes of this machine."""
 
 import os
-from concurrent.futures import ProcessPoolExecutor, as_completed
 from dataclasses import dataclass, field
 from math import isfinite
-from multiprocessing import get_context
 from typing import Any
 
 from timelaw.errors import InputError, TimelawError
@@ -14,6 +12,7 @@ from timelaw.progress import Progress
 from timelaw.report import list_law_rows
 from timelaw.report.summary import measure_all_efforts
 from timelaw.study.study import Study
+from timelaw.workers import run_tasks
 
 
 @dataclass(frozen=True)
@@ -56,13 +55,11 @@ def run_study(study: Study, processes: int | None = None, progress: Progress | N
                 progress("designing", done, len(points))
             outcomes.append(run_point(study, point))
         return outcomes
-    with ProcessPoolExecutor(workers, mp_context=get_context("spawn")) as pool:
-        futures = {pool.submit(run_point, study, point): index for index, point in enumerate(points)}
-        found: dict[int, Outcome] = {}
-        for future in as_completed(futures):
-            found[futures[future]] = future.result()
-            if progress is not None:
-                progress("designing", len(found), len(points))
+    found: dict[int, Outcome] = {}
+    for index, outcome in run_tasks(run_point, [(study, point) for point in points], workers):
+        found[index] = outcome
+        if progress is not None:
+            progress("designing", len(found), len(points))
     return [found[index] for index in range(len(points))]
 
 
@@ -89,7 +86,7 @@ def run_point(study: Study, point: dict[str, Any]) -> Outcome:
 
 def _outcome(point: dict[str, Any], design: Design) -> Outcome:
     row = list_law_rows(design)[0]
-    status = sorted({s.status.value for s in design.solution.solutions})
+    status = sorted({s.describe() for s in design.solution.solutions})
     return Outcome(
         point,
         row.holds,
