@@ -28,6 +28,7 @@ from timelaw.time_limit import is_late
 
 STATUSES = {Verdict.SOLVED: Status.OPTIMAL, Verdict.STOPPED: Status.STOPPED}
 GAP = 1e-6  # relative: what the limits between the points may still cost, in time or in their used part
+COARSE = 1e-3  # relative: near enough for the factor of a large program that has no solution
 ROUNDS = 12
 INSIDE = 1.01  # a start on the limits themselves costs an interior-point method many iterations
 
@@ -70,7 +71,8 @@ def _exchange(
         first = _start(program, timings, units, scale)
         outcome = solve(transcription.symbols, first, transcription.bounds, strict=program.moving)
         iterations += outcome.iterations
-        if not _is_usable(outcome) and not outcome.stopped and rounds > 1:  # once more from where all began
+        again = rounds > 1 and not program.large and not outcome.stopped
+        if not _is_usable(outcome) and again:  # once more from where all began
             outcome = solve(
                 transcription.symbols,
                 _start(program, begun, units, scale),
@@ -94,15 +96,21 @@ def _exchange(
         if outcome.stopped:
             return replace(best, status=status)
         strayed = add_departures(stay, program, found)
-        if program.elastic and sum_durations(found) > enough:
+        used = _used(program, outcome, scale)
+        if _is_hopeless(program, found, gap, used, enough):
             break
-        if not strayed and (
-            gap <= GAP or not add_extrema(points, program, found, _used(program, outcome, scale))
-        ):
+        if not strayed and (gap <= GAP or not add_extrema(points, program, found, used)):
             break
     if best is not None and best.status is Status.OPTIMAL and best.gap > GAP:
         return replace(best, status=Status.GAP_LEFT)
     return best
+
+
+def _is_hopeless(program: Program, found: Sequence[Timing], gap: float, used: float, enough: float) -> bool:
+    """Whether it is clear that more points lead nowhere: to a law too slow, or to limits known to be broken."""
+    if program.elastic and sum_durations(found) > enough:
+        return True
+    return program.large and gap <= COARSE < used - 1
 
 
 def _give_up(best: Solution | None, iterations: int, status: Status) -> Solution | None:

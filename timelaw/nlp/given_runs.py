@@ -155,7 +155,8 @@ def _explain(
     where: str,
 ) -> Fault:
     """By how much the limits would have to give, however far the body ran beyond its nodes, if that helps."""
-    anywhere = find_least_peak(replace(program, beyond=inf), starts, failures)
+    known = program.large and bool(factors)
+    anywhere = None if known else find_least_peak(replace(program, beyond=inf), starts, failures)
     if anywhere is not None and not holds_limits(program, anywhere):
         factors = [used_fraction(program.demands, anywhere.timings)]
     if not factors:
@@ -172,15 +173,15 @@ def find_least_peak(
 ) -> Solution | None:
     """The law that uses the least part of the limits, of all starts; None where the solver finds none.
 
-    Where the times are open, at several paces.
+    Where the times are open, at several paces; but a large program from the first start alone.
     """
     from timelaw.nlp.exchange import solve_from
 
     peaks = replace(program, objective=LEAST_PEAK, weight=None)
     best: tuple[float, Solution] | None = None
     open_times = not program.budgets and any(demand.duration is None for demand in program.demands)
-    for pace in PACES if open_times else PACES[:1]:
-        for start in starts:
+    for pace in PACES if open_times and not program.large else PACES[:1]:
+        for start in starts[:1] if program.large else starts:
             solution = solve_from(peaks, [timing.stretched(pace) for timing in start], failures)
             if solution is None:
                 continue

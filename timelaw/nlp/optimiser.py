@@ -8,7 +8,7 @@ from timelaw.easing import Timing
 from timelaw.easing.family import Family
 from timelaw.errors import Fault, InfeasibleError
 from timelaw.nlp.all_runs import list_deadlines, solve_together, solve_weighed
-from timelaw.nlp.program import RunProblem
+from timelaw.nlp.program import Program, RunProblem
 from timelaw.nlp.single_runs import assign_solutions, solve_distinct, solve_runs
 from timelaw.nlp.solution import Solution, Timings, sum_durations
 from timelaw.objectives import OBJECTIVES
@@ -20,7 +20,6 @@ from timelaw.time_limit import is_late
 
 SAME_DURATION = 1e-9
 PROBES = 4  # of the families, poorest first, that are tried where the poorest cannot do what is given
-MOST_FREE = 300  # coefficients of one run: beyond, a program takes minutes, and several may be needed
 
 
 def list_run_problems(route: Route, requirements: Requirements, family: Family) -> list[RunProblem]:
@@ -88,7 +87,7 @@ def _least_within(
         nearest = families[0]
     for family in families if len(families) > 1 else ():
         runs = list_run_problems(route, requirements, family)
-        if family != families[0] and max(sum(basis.free for basis in run.bases) for run in runs) > MOST_FREE:
+        if family != families[0] and any(Program((run,)).large for run in runs):
             continue
         solutions, excess = _solve_within(runs, limit * within, progress)
         if solutions:

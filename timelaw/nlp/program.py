@@ -13,6 +13,7 @@ from timelaw.requirements.given_times import Budget
 from timelaw.requirements.run_demand import RunDemand
 
 FARTHEST = pi  # rad: how far the body runs beyond a leg at most, where no law stays on the arcs
+LARGE = 300  # coefficients: beyond, a solution takes seconds, and a failure a minute
 MARGIN = 2e-6  # of every limit; what is left between the points, and rounding, fit into it
 T = TypeVar("T")
 LEAST_TIME, LEAST_PEAK = OBJECTIVES["time"], OBJECTIVES["peak"]
@@ -111,6 +112,11 @@ class Program:
     def elastic(self) -> bool:
         """Whether the last excess over a limit may be closed by stretching time."""
         return self.objective.separable and not self.budgets and all(run.elastic for run in self.runs)
+
+    @property
+    def large(self) -> bool:
+        """Whether it takes so long to solve that it is not tried from everywhere."""
+        return sum(basis.free for basis in self.bases) > LARGE
 
     @property
     def divided(self) -> bool:
