@@ -107,7 +107,7 @@ def _exchange(
 
 
 def _is_hopeless(program: Program, found: Sequence[Timing], gap: float, used: float, enough: float) -> bool:
-    """Whether it is clear that more points lead nowhere: to a law too slow, or to limits known to be broken."""
+    """Whether more points lead nowhere: to a law too slow, or to limits that are known to be broken."""
     if program.elastic and sum_durations(found) > enough:
         return True
     return program.large and gap <= COARSE < used - 1
