@@ -13,8 +13,8 @@ from timelaw.nlp.given_runs import (
     find_least_peak,
     holds_limits,
     solve_from_peak,
-    stop_at_nodes,
 )
+from timelaw.nlp.known_laws import stop_at_nodes
 from timelaw.nlp.program import Program, RunProblem
 from timelaw.nlp.solution import Solution, Status, sum_durations
 from timelaw.nlp.verdicts import Verdict

@@ -1,25 +1,21 @@
 """Runs that time cannot be stretched on: legs of fixed duration, and motions that begin or end moving."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from math import inf
 
-import numpy as np
-
-from timelaw.easing import Profile, Timing
-from timelaw.easing.family import Family, PolynomialFamily
+from timelaw.easing import Timing
+from timelaw.easing.family import PolynomialFamily
 from timelaw.easing.time_scaling import used_fraction
 from timelaw.errors import Fault, InfeasibleError
-from timelaw.limits import Demand
-from timelaw.nlp.elastic_runs import SAME_TIME, list_starts, solve_elastic
+from timelaw.nlp.elastic_runs import SAME_TIME, list_starts
 from timelaw.nlp.end_checks import check_ends
+from timelaw.nlp.known_laws import is_least, list_known, stop_in_time
 from timelaw.nlp.program import FARTHEST, LEAST_PEAK, Program, RunProblem
 from timelaw.nlp.solution import Solution, Status, sum_durations
 from timelaw.nlp.verdicts import Verdict
-from timelaw.requirements.given_times import find_stretch
 from timelaw.time_limit import is_late
 
-SAME_RATE = 1e-9  # relative: a run entered and left at one speed
 PACES = (1.0, 0.5, 2.0)  # of a start: a moving run may take less or more time than one from rest to rest
 LEAST_MARGIN = 1e-8  # of the limits, where a greater one leaves no room
 TIME_OVER = "the time limit ended the search before any law was found; give more with --time-limit"
@@ -36,7 +32,7 @@ def solve_given(problem: RunProblem) -> Solution:
     """
     program = Program((problem,))
     known = min(list_known(problem), key=lambda solution: solution.duration, default=None)
-    if known is not None and known.status is Status.STEADY and _is_least(problem, known):
+    if known is not None and known.status is Status.STEADY and is_least(problem, known):
         return known
     needed = check_ends(problem)
     starts = list(list_starts(problem)) + ([(Status.SECOND_START, known.timings)] if known else [])
@@ -50,7 +46,8 @@ def solve_given(problem: RunProblem) -> Solution:
         best = min([*solved, *([known] if known else [])], key=lambda solution: solution.duration)
         optimal = best.status in (Status.OPTIMAL, Status.SECOND_START)
         return replace(best, status=Status.STOPPED) if is_late() and not optimal else best
-    return solve_from_peak(program, [start for _, start in starts], problem.where, stays=stays)
+    known_factors = [] if problem.run.moving else [used_fraction(problem.demands, stop_in_time(problem))]
+    return solve_from_peak(program, [s for _, s in starts], problem.where, known_factors, stays=stays)
 
 
 def _solve_from_all(
@@ -102,15 +99,17 @@ def _pace(problem: RunProblem, start: Sequence[Timing]) -> tuple[Timing, ...]:
     return tuple(timing.stretched(factor) for timing in start)
 
 
-def _is_least(problem: RunProblem, solution: Solution) -> bool:
-    """As fast as physics allows."""
-    return solution.duration <= problem.run.limit * (1 + SAME_TIME)
-
-
 def solve_from_peak(
-    program: Program, starts: Sequence[Sequence[Timing]], where: str, *, stays: bool = True
+    program: Program,
+    starts: Sequence[Sequence[Timing]],
+    where: str,
+    known_factors: Sequence[float] = (),
+    *,
+    stays: bool = True,
 ) -> Solution:
     """From the law that uses the least part of the limits; that law itself where nothing better is found.
+
+    `known_factors` are parts of the limits, more than all of them, that laws in closed form use.
 
     First on the arcs, with hardly any margin, unless it is known that no law `stays` there; then beyond them.
 
@@ -119,7 +118,7 @@ def solve_from_peak(
     """
     from timelaw.nlp.exchange import solve_from
 
-    factors = []
+    factors = list(known_factors)
     failures: list[Verdict] = []
     tries = (replace(program, margin=LEAST_MARGIN), replace(program, beyond=FARTHEST))
     for tried in tries if stays else tries[1:]:
@@ -158,7 +157,7 @@ def _explain(
     known = program.large and bool(factors)
     anywhere = None if known else find_least_peak(replace(program, beyond=inf), starts, failures)
     if anywhere is not None and not holds_limits(program, anywhere):
-        factors = [used_fraction(program.demands, anywhere.timings)]
+        factors = [*factors, used_fraction(program.demands, anywhere.timings)]
     if not factors:
         ends = "".join(f"; IPOPT: {verdict.value}: {verdict.remedy}" for verdict in dict.fromkeys(failures))
         return Fault(f"the solver found no law; give more time or another degree{ends}", where)
@@ -199,48 +198,6 @@ def _name_given(program: Program) -> str:
         return "within the given times"
     fixed = any(demand.duration is not None for demand in program.demands)
     return "within the given durations" if fixed else "with the given rates at its ends"
-
-
-def list_known(problem: RunProblem) -> Iterator[Solution]:
-    """Laws that hold the limits and need no solver of the whole run: a steady turn; a stop at every node."""
-    demands = problem.demands
-    if problem.run.moving:
-        steady = _turn_steadily(problem)
-        if steady and used_fraction(demands, steady) <= 1:
-            yield Solution(steady, Status.STEADY)
-        return
-    timings = stop_at_nodes(demands, [problem.family] * len(demands))
-    if used_fraction(demands, timings) <= 1:
-        yield Solution(timings, Status.STOPS if len(demands) > 1 else Status.AT_MINIMUM)
-
-
-def stop_at_nodes(demands: Sequence[Demand], families: Sequence[Family]) -> tuple[Timing, ...]:
-    """Every leg from rest to rest in its least time, or in its own where that is fixed."""
-    known: dict[object, Timing] = {}
-    timings = []
-    for demand, family in zip(demands, families, strict=True):
-        if demand.key() not in known:
-            leg = RunProblem((replace(demand, duration=None),), family)
-            (timing,) = solve_elastic(leg).timings
-            if demand.duration is not None:
-                timing = timing.stretched(find_stretch(demand.duration, timing.duration))
-            known[demand.key()] = timing
-        timings.append(known[demand.key()])
-    return tuple(timings)
-
-
-def _turn_steadily(problem: RunProblem) -> tuple[Timing, ...]:
-    """At the speed of both ends all along, where they are one; empty where that is not so."""
-    start, end = problem.run.speeds
-    others = (*problem.start[1:], *problem.end[1:])
-    given = any(demand.duration is not None for demand in problem.demands)
-    if given or any(others) or not start or abs(start - end) > SAME_RATE * start:
-        return ()
-    order = problem.family.continuity
-    return tuple(
-        Timing(demand.angle / start, Profile.single(np.linspace(0.0, 1.0, order + 2), order))
-        for demand in problem.demands
-    )
 
 
 def holds_limits(program: Program, solution: Solution) -> bool:

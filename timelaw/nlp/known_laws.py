@@ -1,0 +1,69 @@
+"""Laws over a run that need no solver of the whole run: a steady turn, a stop at every node."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from timelaw.easing import Profile, Timing
+from timelaw.easing.family import Family
+from timelaw.easing.time_scaling import used_fraction
+from timelaw.limits import Demand
+from timelaw.nlp.elastic_runs import SAME_TIME, solve_elastic
+from timelaw.nlp.program import RunProblem
+from timelaw.nlp.solution import Solution, Status
+from timelaw.requirements.given_times import find_stretch
+
+SAME_RATE = 1e-9  # relative: a run entered and left at one speed
+
+
+def list_known(problem: RunProblem) -> Iterator[Solution]:
+    """Laws that hold the limits and need no solver of the whole run: a steady turn; a stop at every node."""
+    demands = problem.demands
+    if problem.run.moving:
+        steady = _turn_steadily(problem)
+        if steady and used_fraction(demands, steady) <= 1:
+            yield Solution(steady, Status.STEADY)
+        return
+    timings = stop_in_time(problem)
+    if used_fraction(demands, timings) <= 1:
+        yield Solution(timings, Status.STOPS if len(demands) > 1 else Status.AT_MINIMUM)
+
+
+def stop_in_time(problem: RunProblem) -> tuple[Timing, ...]:
+    """The law that stops at every node, in the durations that are fixed."""
+    return stop_at_nodes(problem.demands, [problem.family] * len(problem.demands))
+
+
+def stop_at_nodes(demands: Sequence[Demand], families: Sequence[Family]) -> tuple[Timing, ...]:
+    """Every leg from rest to rest in its least time, or in its own where that is fixed."""
+    known: dict[object, Timing] = {}
+    timings = []
+    for demand, family in zip(demands, families, strict=True):
+        if demand.key() not in known:
+            leg = RunProblem((replace(demand, duration=None),), family)
+            (timing,) = solve_elastic(leg).timings
+            if demand.duration is not None:
+                timing = timing.stretched(find_stretch(demand.duration, timing.duration))
+            known[demand.key()] = timing
+        timings.append(known[demand.key()])
+    return tuple(timings)
+
+
+def _turn_steadily(problem: RunProblem) -> tuple[Timing, ...]:
+    """At the speed of both ends all along, where they are one; empty where that is not so."""
+    start, end = problem.run.speeds
+    others = (*problem.start[1:], *problem.end[1:])
+    given = any(demand.duration is not None for demand in problem.demands)
+    if given or any(others) or not start or abs(start - end) > SAME_RATE * start:
+        return ()
+    order = problem.family.continuity
+    return tuple(
+        Timing(demand.angle / start, Profile.single(np.linspace(0.0, 1.0, order + 2), order))
+        for demand in problem.demands
+    )
+
+
+def is_least(problem: RunProblem, solution: Solution) -> bool:
+    """As fast as physics allows."""
+    return solution.duration <= problem.run.limit * (1 + SAME_TIME)
