@@ -19,6 +19,7 @@ from timelaw.time_limit import is_late
 PACES = (1.0, 0.5, 2.0)  # of a start: a moving run may take less or more time than one from rest to rest
 LEAST_MARGIN = 1e-8  # of the limits, where a greater one leaves no room
 TIME_OVER = "the time limit ended the search before any law was found; give more with --time-limit"
+AGREE = 1e-5  # relative; two starts that lead as near to each other lead to one law
 SHOWN = 1e-5  # relative; a factor nearer to one is written with more digits
 
 
@@ -35,9 +36,7 @@ def solve_given(problem: RunProblem) -> Solution:
     if known is not None and known.status is Status.STEADY and is_least(problem, known):
         return known
     needed = check_ends(problem)
-    starts = list(list_starts(problem)) + ([(Status.SECOND_START, known.timings)] if known else [])
-    if problem.run.moving:
-        starts.append((Status.SECOND_START, _pace(problem, starts[0][1])))
+    starts = _list_starts(problem) + ([(Status.SECOND_START, known.timings)] if known else [])
     stays = needed <= problem.run.angle
     solved = _solve_from_all(program, starts, known) if stays else []
     if stays and not solved and known is None:
@@ -48,6 +47,14 @@ def solve_given(problem: RunProblem) -> Solution:
         return replace(best, status=Status.STOPPED) if is_late() and not optimal else best
     known_factors = [] if problem.run.moving else [used_fraction(problem.demands, stop_in_time(problem))]
     return solve_from_peak(program, [s for _, s in starts], problem.where, known_factors, stays=stays)
+
+
+def _list_starts(problem: RunProblem) -> list[tuple[Status, Sequence[Timing]]]:
+    """Where the solver begins: as from rest to rest, and moving in the time of the mean speed."""
+    starts = list(list_starts(problem))
+    if problem.run.moving:
+        starts.append((Status.SECOND_START, _pace(problem, starts[0][1])))
+    return starts
 
 
 def _solve_from_all(
@@ -78,11 +85,14 @@ def _solve_from_least(problem: RunProblem, program: Program) -> list[Solution]:
     least = PolynomialFamily(2 * r + 1, r)
     if problem.family == least:
         return []
-    try:
-        simple = solve_given(replace(problem, family=least))
-    except InfeasibleError:  # which says nothing about a richer family
-        return []
-    if simple.status is Status.BEYOND:
+    poorer = replace(problem, family=least)
+    starts, simpler = _list_starts(poorer), Program((poorer,))
+    laws = _solve_from_all(simpler, starts, None)
+    simple = min(laws, key=lambda solution: solution.duration, default=None)
+    if simple is None:
+        on_arcs = replace(simpler, margin=LEAST_MARGIN)
+        simple = _solve_from_peak(on_arcs, [start for _, start in starts], [], [])
+    if simple is None:
         return []
     found = solve_from(program, simple.timings)
     solved = [replace(simple, status=Status.SIMPLER)] if problem.family.contains(least.degree) else []
@@ -116,34 +126,44 @@ def solve_from_peak(
     Raises:
         InfeasibleError: the least part that was found is more than all of them, or the time is over.
     """
-    from timelaw.nlp.exchange import solve_from
-
     factors = list(known_factors)
     failures: list[Verdict] = []
     tries = (replace(program, margin=LEAST_MARGIN), replace(program, beyond=FARTHEST))
     for tried in tries if stays else tries[1:]:
-        least = find_least_peak(tried, starts, failures)
+        found = _solve_from_peak(tried, starts, factors, failures)
         if is_late():
             raise InfeasibleError(Fault(TIME_OVER, where))
-        if least is None:
-            continue
-        used = used_fraction(program.demands, least.timings)
-        factors.append(used)
-        if used > 1 + SHOWN:
-            continue
-        found = [solve_from(tried, start) for start in (least.timings, *starts)]
-        solved = [solution for solution in found if solution is not None and holds_limits(program, solution)]
-        if solved:
-            best = (
-                min(solved, key=lambda solution: solution.duration)
-                if program.objective.separable
-                else solved[0]
-            )
-            return replace(best, status=Status.BEYOND if tried.beyond else Status.SECOND_START)
-        if used <= 1:
-            return replace(least, status=Status.BEYOND if tried.beyond else Status.LEAST_PEAK)
+        if found is not None:
+            return found
     fault = _explain(program, starts, factors, failures, where)
     raise InfeasibleError(Fault(TIME_OVER, where) if is_late() else fault)
+
+
+def _solve_from_peak(
+    program: Program,
+    starts: Sequence[Sequence[Timing]],
+    factors: list[float],
+    failures: list[Verdict],
+) -> Solution | None:
+    """The best law from there that holds the limits; else None, and in `factors` the part of them it uses."""
+    from timelaw.nlp.exchange import solve_from
+
+    least = find_least_peak(program, starts, failures)
+    if least is None or is_late():
+        return None
+    used = used_fraction(program.demands, least.timings)
+    factors.append(used)
+    if used > 1 + SHOWN:
+        return None
+    found = [solve_from(program, start) for start in (least.timings, *starts)]
+    solved = [solution for solution in found if solution is not None and holds_limits(program, solution)]
+    if solved:
+        fastest = min(solved, key=lambda solution: solution.duration)
+        best = fastest if program.objective.separable else solved[0]
+        return replace(best, status=Status.BEYOND if program.beyond else Status.SECOND_START)
+    if used <= 1:
+        return replace(least, status=Status.BEYOND if program.beyond else Status.LEAST_PEAK)
+    return None
 
 
 def _explain(
@@ -172,7 +192,7 @@ def find_least_peak(
 ) -> Solution | None:
     """The law that uses the least part of the limits, of all starts; None where the solver finds none.
 
-    Where the times are open, at several paces; but a large program from the first start alone.
+    Where times are open, at several paces, until two starts from rest agree; a large program from one start.
     """
     from timelaw.nlp.exchange import solve_from
 
@@ -185,10 +205,11 @@ def find_least_peak(
             if solution is None:
                 continue
             used = used_fraction(program.demands, solution.timings)
+            agree = not program.moving and best is not None and abs(used / best[0] - 1) < AGREE
             if best is None or used < best[0]:
                 best = used, solution
-            if used <= 1:
-                return solution
+            if used <= 1 or agree:
+                return best[1]
     return None if best is None else best[1]
 
 
