@@ -28,6 +28,8 @@ from timelaw.time_limit import is_late
 
 STATUSES = {Verdict.SOLVED: Status.OPTIMAL, Verdict.STOPPED: Status.STOPPED}
 GAP = 1e-6  # relative: what the limits between the points may still cost, in time or in their used part
+FALLEN = 1e-2  # of an effort: by so much less than its start's it is measured anew
+RESCALED = 6  # times
 COARSE = 1e-3  # relative: near enough for the factor of a large program that has no solution
 ROUNDS = 12
 INSIDE = 1.01  # a start on the limits themselves costs an interior-point method many iterations
@@ -51,7 +53,32 @@ def solve_from(
     alike = merge_alike(program)
     kept = [] if failures is None else failures
     solution = _exchange(alike.program, alike.pick(start), kept, enough)
+    if solution is not None:
+        solution = _rescale(alike.program, alike.pick(start), solution, kept)
     return None if solution is None else replace(solution, timings=alike.spread(solution.timings))
+
+
+def _rescale(
+    program: Program, start: Sequence[Timing], solution: Solution, failures: list[Verdict]
+) -> Solution:
+    """Solve again from a solution whose effort is a small part of its start's, in which it was measured.
+
+    What is far below one counts as nothing to the solver: a leg begun much too fast hides the others.
+    """
+    objective = program.objective
+    if objective.separable or objective.scales_limits or program.weight is not None:
+        return solution
+    legs = program.repeat(program.demands)
+    size = objective.scale(legs, program.repeat(start))
+    for _ in range(RESCALED):
+        reached = objective.scale(legs, program.repeat(solution.timings))
+        if not 0 < reached < FALLEN * size or is_late():
+            break
+        better = _exchange(program, solution.timings, failures, inf)
+        if better is None or objective.scale(legs, program.repeat(better.timings)) > reached:
+            break
+        size, solution = reached, better
+    return solution
 
 
 def _exchange(
