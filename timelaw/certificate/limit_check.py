@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from timelaw.limits import Row
+from timelaw.limits import BoundRow
 from timelaw.motion import QuaternionLaw, Segment
 from timelaw.motion.segment import Quantity
 from timelaw.numerics.extrema import Peak
@@ -61,7 +61,7 @@ class LegPeak:
     label: str
     index: int
     segment: str
-    row: Row
+    row: BoundRow
     peak: float
     upper: float
     time: float

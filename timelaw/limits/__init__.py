@@ -4,10 +4,11 @@ from timelaw.limits.bounds import Bounds
 from timelaw.limits.demand import Demand
 from timelaw.limits.limit import Limit, LimitKind
 from timelaw.limits.registry import LIMITS, list_rows, make_limits
-from timelaw.limits.row import Row, drop_implied
+from timelaw.limits.row import BoundRow, Row, drop_implied
 
 __all__ = [
     "LIMITS",
+    "BoundRow",
     "Bounds",
     "Demand",
     "Limit",

@@ -44,3 +44,10 @@ def cross(u: Vector, v: Vector) -> list[Any]:
 def apply(matrix: Sequence[Sequence[Any]], v: Vector) -> list[Any]:
     """J v."""
     return [v[0] * row[0] + v[1] * row[1] + v[2] * row[2] for row in matrix]
+
+
+def product(p: Sequence[Any], q: Sequence[Any]) -> list[Any]:
+    """Hamilton's product p ⊗ q of four components each."""
+    across = cross(p[1:], q[1:])
+    scalar = p[0] * q[0] + dot(p[1:], q[1:]) * -1
+    return [scalar, *(p[0] * q[i + 1] + q[0] * p[i + 1] + across[i] for i in range(3))]

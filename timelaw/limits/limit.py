@@ -16,6 +16,26 @@ class Limit(Protocol):
     """A bound on the body's motion; it answers for itself on a leg about a fixed axis."""
 
     @property
+    def name(self) -> str:
+        """Its key in files."""
+        ...
+
+    @property
+    def power(self) -> int:
+        """The k for which stretching time by c divides what is limited by c^k."""
+        ...
+
+    @property
+    def highest(self) -> int:
+        """The order of the highest rate that enters."""
+        ...
+
+    @property
+    def unit(self) -> str:
+        """Of what is limited, in SI."""
+        ...
+
+    @property
     def couples(self) -> bool:
         """Whether on a leg it ties rates of different orders together, so that no bound on one says all."""
         ...

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 
@@ -26,6 +27,9 @@ class Momentum:
     name: str
     bounds: Bounds
     body: RigidBody
+    power: ClassVar[int] = 1
+    highest: ClassVar[int] = 1
+    unit: ClassVar[str] = UNIT
 
     @property
     def couples(self) -> bool:

@@ -8,10 +8,11 @@ import numpy as np
 
 from timelaw.limits.bounds import Bounds, bound_vector, least_quotient, split_by_axis
 from timelaw.limits.formula import Formula, Rates, Vector
-from timelaw.limits.row import RateRow
+from timelaw.limits.row import ORDERS, RateRow
 from timelaw.numerics.array import Array
 
-ORDERS = {"velocity": 1, "acceleration": 2, "jerk": 3, "snap": 4}  # of the limited rates
+__all__ = ["ORDERS", "UNITS", "Rate"]
+
 UNITS = {1: "rad/s", 2: "rad/s²", 3: "rad/s³", 4: "rad/s⁴"}
 
 
@@ -27,6 +28,18 @@ class Rate:
     order: int
     bounds: Bounds
     couples: ClassVar[bool] = False
+
+    @property
+    def power(self) -> int:
+        """Of time: the order itself."""
+        return self.order
+
+    highest = power
+
+    @property
+    def unit(self) -> str:
+        """Of the rate."""
+        return UNITS[self.order]
 
     def of(self, rates: Rates, total: Vector = (0.0, 0.0, 0.0)) -> list[Formula]:  # noqa: ARG002
         """V · v ≤ w², or v_i ≤ w_i, v the k-th rate."""

@@ -17,9 +17,13 @@ from dataclasses import dataclass
 from math import inf
 from typing import Any, ClassVar, Protocol
 
+from timelaw.limits.formula import Formula
 
-class Row(Protocol):
-    """What solver, proof and closed forms ask of a row; no code asks what class it is of."""
+ORDERS = {"velocity": 1, "acceleration": 2, "jerk": 3, "snap": 4}  # of the limited rates
+
+
+class BoundRow(Protocol):
+    """What proofs and pictures ask of a row: |g| ≤ bound, g the root-th power of what is limited."""
 
     @property
     def limit(self) -> str: ...  # noqa: D102
@@ -38,13 +42,25 @@ class Row(Protocol):
     def note(self) -> str: ...  # noqa: D102
 
     @property
-    def powers(self) -> tuple[int, ...]:
-        """Of the time by which the terms of |g| fall when time is stretched; one for a homogeneous row."""
-        ...
-
-    @property
     def root(self) -> int:
         """Of the limited quantity that g is a power of."""
+        ...
+
+    def size(self, value: float) -> float:
+        """The limited quantity, if |g| is this."""
+        ...
+
+    def rate_bound(self, order: int) -> float:
+        """The bound on the size of that rate itself that the row is; infinite where it is none."""
+        ...
+
+
+class Row(BoundRow, Protocol):
+    """What the solver and closed forms ask besides; no code asks what class it is of."""
+
+    @property
+    def powers(self) -> tuple[int, ...]:
+        """Of the time by which the terms of |g| fall when time is stretched; one for a homogeneous row."""
         ...
 
     @property
@@ -56,16 +72,8 @@ class Row(Protocol):
         """The polynomial g."""
         ...
 
-    def size(self, value: float) -> float:
-        """The limited quantity, if |g| is this."""
-        ...
-
     def coefficients(self) -> tuple[float, ...]:
         """Numbers that tell rows of one label apart."""
-        ...
-
-    def rate_bound(self, order: int) -> float:
-        """The bound on |φ^(order)| itself that the row is; infinite where it is none."""
         ...
 
     def speed_limit(self) -> float:
@@ -126,6 +134,46 @@ class RateRow:
     def acceleration_limits(self, v: float) -> tuple[float, float]:  # noqa: ARG002
         """The bound on both sides, if it is one on φ''."""
         return self.rate_bound(2), self.rate_bound(2)
+
+
+@dataclass(frozen=True)
+class FormulaRow:
+    """A limit's formula in the vectors ω, α, …, the `highest` rate in it of that order, for a proof."""
+
+    limit: str
+    formula: Formula
+    unit: str
+    highest: int
+    note: str = ""
+
+    @property
+    def label(self) -> str:
+        """Of the formula."""
+        return self.formula.label
+
+    @property
+    def bound(self) -> float:
+        """On the root-th power of what is limited."""
+        return self.formula.bound
+
+    @property
+    def root(self) -> int:
+        """Of the formula."""
+        return self.formula.root
+
+    @property
+    def orders(self) -> tuple[int, ...]:
+        """The highest rate says what must not jump."""
+        return (self.highest,)
+
+    def size(self, value: float) -> float:
+        """The limited quantity, if |g| is this."""
+        return float(value ** (1 / self.root))
+
+    def rate_bound(self, order: int) -> float:
+        """Of a norm of that rate."""
+        plain = self.root == 2 and ORDERS.get(self.limit) == order
+        return self.size(self.bound) if plain else inf
 
 
 def drop_implied(rows: Sequence[Row]) -> tuple[Row, ...]:

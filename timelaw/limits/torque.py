@@ -45,6 +45,9 @@ class ExternalTorque:
     bounds: Bounds
     body: RigidBody
     couples: ClassVar[bool] = True
+    power: ClassVar[int] = 2
+    highest: ClassVar[int] = 2
+    unit: ClassVar[str] = UNIT
 
     def of(self, rates: Rates, total: Vector = (0.0, 0.0, 0.0)) -> list[Formula]:  # noqa: ARG002
         """Jα + ω×Jω."""
@@ -82,6 +85,9 @@ class WheelTorque:
     name: str
     bounds: Bounds
     body: RigidBody
+    power: ClassVar[int] = 2
+    highest: ClassVar[int] = 2
+    unit: ClassVar[str] = UNIT
 
     @property
     def couples(self) -> bool:

@@ -14,6 +14,7 @@ from pydantic import FailFast, Field
 from timelaw.easing.profile import Piece, Profile, Side
 from timelaw.limits import Bounds, Limit, list_rows
 from timelaw.limits.bounds import read_bounds, write_bounds
+from timelaw.limits.formula import Vector
 from timelaw.limits.polynomials import expand_rows
 from timelaw.motion.schema import (
     BRIEFEST,
@@ -150,7 +151,7 @@ class Arc:
             for group in by_degree.values()
         )
 
-    def quantities(self, limits: Sequence[Limit]) -> Iterator[Quantity]:
+    def quantities(self, limits: Sequence[Limit], total: Vector) -> Iterator[Quantity]:  # noqa: ARG002
         """Rows about the axis, as polynomials in time on each piece."""
         breaks = self.breaks.tolist()
         rows = list_rows(limits, enclose_direction(self.axis))

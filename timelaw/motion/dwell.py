@@ -9,6 +9,7 @@ import numpy as np
 
 from timelaw.easing.profile import Side
 from timelaw.limits import Bounds, Limit
+from timelaw.limits.formula import Vector
 from timelaw.motion.schema import Duration, Number, Part, Text, Vector4
 from timelaw.motion.segment import Discrepancy, Quantity
 from timelaw.numerics.array import Array
@@ -92,7 +93,7 @@ class Dwell:
         """Nothing moves."""
         return 0.0
 
-    def quantities(self, limits: Sequence[Limit]) -> Iterator[Quantity]:  # noqa: ARG002
+    def quantities(self, limits: Sequence[Limit], total: Vector) -> Iterator[Quantity]:  # noqa: ARG002
         """Nothing at rest is limited."""
         yield from ()
 

@@ -10,8 +10,10 @@ from numpy.typing import ArrayLike
 from timelaw.easing.profile import Side, locate
 from timelaw.limits import Bounds, make_limits
 from timelaw.limits.body import RigidBody
+from timelaw.limits.formula import Vector, product
 from timelaw.motion.segment import MAX_ORDER, Quantity, Segment
 from timelaw.numerics.array import Array, freeze
+from timelaw.numerics.ball import Ball, enclose_direction
 from timelaw.numerics.quaternion import rotation_matrix
 
 
@@ -83,8 +85,18 @@ class QuaternionLaw:
         """The segments that move the body, in order."""
         return tuple(segment for segment in self.segments if segment.moves)
 
+    @cached_property
+    def total_momentum(self) -> Vector:
+        """H (3,) [N·m·s] in the world, as balls: the body's at t = 0, turned by the first orientation."""
+        if self.body is None or not self.body.total_momentum:
+            return (0.0, 0.0, 0.0)
+        turn = list(enclose_direction(self.segments[0].start))
+        inner = [Ball(0.0), *map(Ball, self.body.momentum.tolist())]
+        back = [turn[0], *(-part for part in turn[1:])]
+        return product(product(turn, inner), back)[1:]
+
     def quantities(self, segment: Segment) -> Iterator[tuple[str, Quantity]]:
         """What is limited on a segment, each with a label that names a limit of that segment alone so."""
         for limits, place in ((self.limits, ""), (segment.limits, f" on {segment.name}")):
-            for quantity in segment.quantities(make_limits(limits, self.body)):
+            for quantity in segment.quantities(make_limits(limits, self.body), self.total_momentum):
                 yield quantity.row.label + place, quantity

@@ -5,7 +5,8 @@ from dataclasses import dataclass
 from typing import Any, ClassVar, Protocol, Self
 
 from timelaw.easing.profile import Side
-from timelaw.limits import Bounds, Limit, Row
+from timelaw.limits import BoundRow, Bounds, Limit
+from timelaw.limits.formula import Vector
 from timelaw.motion.schema import Part
 from timelaw.numerics.array import Array
 from timelaw.numerics.function import Function
@@ -18,7 +19,7 @@ MAX_ORDER = max(RATES)  # q, ω, α, jerk and snap are what a law is evaluated f
 class Quantity:
     """What a row limits on one piece of a segment: |value| ≤ row.bound for τ from `start` to `end`."""
 
-    row: Row
+    row: BoundRow
     value: Function
     start: float
     end: float
@@ -119,8 +120,8 @@ class Segment(Protocol):
         """∫ |k-th rate| dt over it, or a little more: that of its root mean square on each piece."""
         ...
 
-    def quantities(self, limits: Sequence[Limit]) -> Iterator[Quantity]:
-        """What limits bound on it, row by row, piece by piece."""
+    def quantities(self, limits: Sequence[Limit], total: Vector) -> Iterator[Quantity]:
+        """What limits bound on it, row by row, piece by piece; `total` is H (3,) in the world."""
         ...
 
     def unit_vectors(self) -> Iterable[Array]:

@@ -2,16 +2,23 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cache
 from math import comb
 
 import numpy as np
 
-from timelaw.numerics.array import Array
+from timelaw.numerics.array import Array, freeze
 from timelaw.numerics.ball import ABOVE, Ball
 from timelaw.numerics.bernstein import UNIT_ROUNDOFF, elevate, evaluate, integrate_square
 from timelaw.numerics.extrema import Peak, enclose_polynomials
 
 SCALAR_ROUNDING = 16 * UNIT_ROUNDOFF  # scalars are powers and quotients, themselves rounded a few times
+
+
+@cache
+def _binomials(n: int) -> Array:
+    """C(n, i) for i = 0 … n, each rounded once."""
+    return freeze(np.array([comb(n, i) for i in range(n + 1)], dtype=float))
 
 
 @dataclass(frozen=True)
@@ -35,14 +42,30 @@ class Polynomial:
         """Largest control point, a bound on |p|."""
         return float(np.max(np.abs(self.control)))
 
+    def raised(self, degree: int) -> "Polynomial":
+        """The same polynomial in a form of a degree that is not lower; means of two, each rounded thrice."""
+        if self.degree == degree:
+            return self
+        rounding = 4 * degree * UNIT_ROUNDOFF * self.size
+        return Polynomial(elevate(self.control, degree), self.error + rounding)
+
+    def derive(self, duration: float) -> "Polynomial":
+        """d/dt, u = t/duration: n (c_(j+1) - c_j)/h, of degree 0 where there is nothing left."""
+        if not self.degree:
+            return Polynomial(np.zeros(1))
+        factor = self.degree / duration
+        control = np.diff(self.control) * factor
+        rounding = 8 * UNIT_ROUNDOFF * float(np.max(np.abs(control)))
+        return Polynomial(control, 2 * self.error * factor * ABOVE + rounding)
+
     def __add__(self, other: "Polynomial | float") -> "Polynomial":
         if not isinstance(other, Polynomial):
             other = Polynomial(np.array([float(other)]))
         degree = max(self.degree, other.degree)
-        raised = sum(4 * degree * UNIT_ROUNDOFF * p.size for p in (self, other) if p.degree < degree)
-        control = elevate(self.control, degree) + elevate(other.control, degree)
+        one, two = self.raised(degree), other.raised(degree)
+        control = one.control + two.control
         rounding = 2 * UNIT_ROUNDOFF * float(np.max(np.abs(control)))
-        return Polynomial(control, self.error + other.error + raised + rounding)
+        return Polynomial(control, one.error + two.error + rounding)
 
     def __mul__(self, other: "Polynomial | Ball | float") -> "Polynomial":
         if isinstance(other, Ball):
@@ -53,9 +76,8 @@ class Polynomial:
             rounding = SCALAR_ROUNDING * float(np.max(np.abs(control)))
             return Polynomial(control, self.error * abs(other) * (1 + SCALAR_ROUNDING) + rounding)
         m, n = self.degree, other.degree
-        left = self.control * [comb(m, i) for i in range(m + 1)]
-        right = other.control * [comb(n, i) for i in range(n + 1)]
-        control = np.convolve(left, right) / [comb(m + n, k) for k in range(m + n + 1)]
+        product = np.convolve(self.control * _binomials(m), other.control * _binomials(n))
+        control = product / _binomials(m + n)
         rounding = 2 * (min(m, n) + 6) * UNIT_ROUNDOFF * self.size * other.size
         carried = self.error * other.size + other.error * self.size + self.error * other.error
         return Polynomial(control, rounding + carried)

@@ -1,0 +1,191 @@
+"""Segments of kind `rational`: the orientation is Q/|Q|, Q a quaternion polynomial in time on each piece."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cache, cached_property
+from itertools import pairwise
+from math import fsum
+from typing import Annotated, Any, ClassVar, Literal
+
+import numpy as np
+from pydantic import Field
+
+from timelaw.easing.profile import Side, locate
+from timelaw.limits import Bounds, Limit
+from timelaw.limits.bounds import read_bounds, write_bounds
+from timelaw.limits.formula import Vector, dot
+from timelaw.limits.row import FormulaRow
+from timelaw.motion.quaternion_curve import QuaternionCurve
+from timelaw.motion.schema import BRIEFEST, LONGEST, BoundsDocument, Duration, Number, Part, Text, Vector4
+from timelaw.motion.segment import Discrepancy, Quantity
+from timelaw.numerics.array import Array
+from timelaw.numerics.quaternion import rotation_between
+from timelaw.numerics.quotient import Quotient
+
+DURATION_TOLERANCE = 1e-12  # of the segment; durations of pieces are rounded each
+QUADRATURE = 24  # nodes
+WEIGHT = 1e6  # largest component of a control point: gauges near one, far from where squares overflow
+ControlPoint = Annotated[
+    list[Annotated[float, Field(ge=-WEIGHT, le=WEIGHT)]], Field(min_length=4, max_length=4)
+]
+
+
+class CurveDocument(Part):
+    """Duration [s] and control points of Q over it."""
+
+    duration: Annotated[float, Field(ge=BRIEFEST, le=LONGEST)]
+    control: Annotated[list[ControlPoint], Field(min_length=2, max_length=16)]
+
+
+class RationalDocument(Part):
+    """What a law file says of a rational segment."""
+
+    kind: Literal["rational"]
+    origin: Annotated[Text, Field(alias="from")]
+    target: Annotated[Text, Field(alias="to")]
+    start_time: Number
+    duration: Duration
+    start: Vector4
+    end: Vector4
+    limits: BoundsDocument = Field(default_factory=dict)
+    pieces: Annotated[list[CurveDocument], Field(min_length=1)]
+
+
+@cache
+def _quadrature() -> tuple[Array, Array]:
+    """Gauss-Legendre nodes and weights on [0, 1]: for means that judge jumps, and prove nothing."""
+    nodes, weights = np.polynomial.legendre.leggauss(QUADRATURE)
+    return (nodes + 1) / 2, weights / 2
+
+
+@dataclass(frozen=True)
+class Rational:
+    """q(t) = Q/|Q|, Q(t) by `pieces` that follow each other, each over its own duration.
+
+    `start` and `end` (4,) are the nodes it should lead from and to; whether it does is for the certificate to
+    say. `limits` hold on this segment besides those of the law.
+    """
+
+    kind: ClassVar[str] = "rational"
+    moves: ClassVar[bool] = True
+    document_model: ClassVar[type[Part]] = RationalDocument
+
+    origin: str
+    target: str
+    start_time: float
+    duration: float
+    start: Array
+    end: Array
+    pieces: tuple[QuaternionCurve, ...]
+    limits: Mapping[str, Bounds] = field(default_factory=dict)
+
+    @property
+    def name(self) -> str:
+        """How reports call the segment."""
+        return f"{self.origin}–{self.target}"
+
+    @property
+    def end_time(self) -> float:
+        """Instant [s] at which the segment ends."""
+        return self.start_time + self.duration
+
+    @cached_property
+    def breaks(self) -> Array:
+        """Where the pieces meet (p+1,), in τ."""
+        times = np.concatenate([[0.0], np.cumsum([piece.duration for piece in self.pieces])])
+        breaks = times / times[-1]
+        breaks[-1] = 1.0
+        return np.array(breaks)
+
+    def __call__(self, tau: Array, order: int, side: Side) -> Array:
+        """At τ (m,): quaternions (m, 4) for order 0, else ω, α, jerk, snap (m, 3) for 1 to 4."""
+        tau = np.asarray(tau, dtype=float)
+        index = locate(self.breaks, tau, side)
+        value = np.empty((*tau.shape, 4 if order == 0 else 3))
+        for k in np.unique(index):
+            here = index == k
+            first, last = self.breaks[k], self.breaks[k + 1]
+            value[here] = self.pieces[k](np.clip((tau[here] - first) / (last - first), 0.0, 1.0), order)
+        return value
+
+    def axis_at(self, end: int) -> None:  # noqa: ARG002
+        """It turns about another axis at every instant."""
+        return
+
+    def rates(self, order: int) -> list[Quotient]:
+        """The size of the k-th rate on each piece: √(X_k·X_k/D^2k)."""
+        found = []
+        for piece in self.pieces:
+            numerator = piece.numerators(order)[order]
+            found.append(Quotient(dot(numerator, numerator), piece.power(2 * order), 2))
+        return found
+
+    def side(self, order: int, end: int) -> Array:
+        """The k-th rate (3,) at the first (0) or last (-1) instant, from inside."""
+        return np.array(self.pieces[end](np.array([0.0 if end == 0 else 1.0]), order)[0])
+
+    def jumps(self, order: int) -> Array:
+        """Jumps (p-1, 3) of the k-th rate where pieces meet."""
+        ends = np.array([0.0, 1.0])
+        values = [piece(ends, order) for piece in self.pieces]
+        return np.array([b[0] - a[1] for a, b in pairwise(values)]).reshape(-1, 3)
+
+    def sum_rate(self, order: int) -> float:
+        """Σ h √(mean of |k-th rate|² on the piece)."""
+        nodes, weights = _quadrature()
+        squares = [weights @ np.sum(piece(nodes, order) ** 2, axis=-1) for piece in self.pieces]
+        return fsum(p.duration * float(mean) ** 0.5 for p, mean in zip(self.pieces, squares, strict=True))
+
+    def quantities(self, limits: Sequence[Limit], total: Vector) -> Iterator[Quantity]:
+        """Every limit's own formula in the numerators, over D to the limit's power of time."""
+        breaks = self.breaks.tolist()
+        for piece, start, end in zip(self.pieces, breaks[:-1], breaks[1:], strict=True):
+            rates = piece.numerators(max((limit.highest for limit in limits), default=1))
+            seen = piece.turn_back(total)
+            for limit in limits:
+                for formula in limit.of(rates, seen):
+                    row = FormulaRow(limit.name, formula, limit.unit, limit.highest)
+                    value = Quotient(formula.value, piece.power(limit.power * formula.root))
+                    yield Quantity(row, value, start, end)
+
+    def unit_vectors(self) -> tuple[Array, ...]:
+        """Both orientations."""
+        return self.start, self.end
+
+    def start_error(self) -> float:
+        """Body rotation [rad] from `start` to where it begins."""
+        return rotation_between(self.start, self.pieces[0].control[0])
+
+    def end_error(self) -> float:
+        """Body rotation [rad] by which it misses `start`, `end` and itself where pieces meet, added up."""
+        ends = [(piece.control[0], piece.control[-1]) for piece in self.pieces]
+        gaps = sum(rotation_between(a[1], b[0]) for a, b in pairwise(ends))
+        return self.start_error() + gaps + rotation_between(ends[-1][1], self.end)
+
+    def own_checks(self) -> Iterator[Discrepancy]:
+        """Whether the pieces' durations add up."""
+        error = abs(fsum([*(piece.duration for piece in self.pieces), -self.duration])) / self.duration
+        yield Discrepancy("pieces take their segment's time", error, DURATION_TOLERANCE)
+
+    def document(self) -> dict[str, Any]:
+        """As the law file has it."""
+        own = {"limits": write_bounds(self.limits)} if self.limits else {}
+        return {
+            "kind": self.kind,
+            "from": self.origin,
+            "to": self.target,
+            "start_time": self.start_time,
+            "duration": self.duration,
+            "start": self.start.tolist(),
+            "end": self.end.tolist(),
+            **own,
+            "pieces": [{"duration": p.duration, "control": p.control.tolist()} for p in self.pieces],
+        }
+
+    @classmethod
+    def read(cls, s: RationalDocument) -> "Rational":
+        """From the law file; numbers are taken bit for bit."""
+        pieces = tuple(QuaternionCurve(p.duration, np.array(p.control, dtype=float)) for p in s.pieces)
+        start, end = (np.array(v, dtype=float) for v in (s.start, s.end))
+        limits = read_bounds(s.limits)
+        return cls(s.origin, s.target, s.start_time, s.duration, start, end, pieces, limits)
