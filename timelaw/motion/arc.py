@@ -5,7 +5,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import pairwise
-from math import fsum
 from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
@@ -13,9 +12,10 @@ from pydantic import FailFast, Field
 
 from timelaw.easing.profile import Piece, Profile, Side
 from timelaw.limits import Bounds, Limit, list_rows
-from timelaw.limits.bounds import read_bounds, write_bounds
+from timelaw.limits.bounds import read_bounds
 from timelaw.limits.formula import Vector
 from timelaw.limits.polynomials import expand_rows
+from timelaw.motion.moving import Moving
 from timelaw.motion.schema import (
     BRIEFEST,
     LARGEST_ANGLE,
@@ -36,8 +36,6 @@ from timelaw.numerics.ball import enclose_direction
 from timelaw.numerics.bernstein import integrate_square
 from timelaw.numerics.polynomial import Polynomial
 from timelaw.numerics.quaternion import from_axis_angle, multiply, normalise, rotation_between
-
-DURATION_TOLERANCE = 1e-12  # of the segment; durations of pieces are rounded each
 
 
 class PieceDocument(Part):
@@ -65,7 +63,7 @@ class ArcDocument(Part):
 
 
 @dataclass(frozen=True)
-class Arc:
+class Arc(Moving):
     """q = q_i ⊗ (cos(φ/2), n sin(φ/2)), φ(t) = profile((t - start_time)/duration) from 0 to θ.
 
     q_i and n are `start` (4,) and `axis` (3,), in body axes, each over its norm. They are kept as they were
@@ -87,16 +85,6 @@ class Arc:
     angle: float
     profile: Profile
     limits: Mapping[str, Bounds] = field(default_factory=dict)
-
-    @property
-    def name(self) -> str:
-        """How reports call the segment."""
-        return f"{self.origin}–{self.target}"
-
-    @property
-    def end_time(self) -> float:
-        """Instant [s] at which the segment ends."""
-        return self.start_time + self.duration
 
     @cached_property
     def direction(self) -> Array:
@@ -178,29 +166,15 @@ class Arc:
 
     def own_checks(self) -> Iterator[Discrepancy]:
         """Whether the pieces' durations add up."""
-        durations = [piece.duration for piece in self.profile.pieces]
-        error = abs(fsum([*durations, -self.duration])) / self.duration
-        yield Discrepancy("pieces take their segment's time", error, DURATION_TOLERANCE)
+        yield self.check_filled(piece.duration for piece in self.profile.pieces)
 
     def document(self) -> dict[str, Any]:
         """As the law file has it."""
-        own = {"limits": write_bounds(self.limits)} if self.limits else {}
-        return {
-            "kind": self.kind,
-            "from": self.origin,
-            "to": self.target,
-            "start_time": self.start_time,
-            "duration": self.duration,
-            "start": self.start.tolist(),
-            "end": self.end.tolist(),
-            "axis": self.axis.tolist(),
-            "angle": self.angle,
-            **own,
-            "pieces": [
-                {"duration": p.duration, "state": p.state.tolist(), "bernstein": p.control.tolist()}
-                for p in self.profile.pieces
-            ],
-        }
+        pieces = [
+            {"duration": p.duration, "state": p.state.tolist(), "bernstein": p.control.tolist()}
+            for p in self.profile.pieces
+        ]
+        return self.write({"axis": self.axis.tolist(), "angle": self.angle}, pieces)
 
     @classmethod
     def read(cls, s: ArcDocument) -> "Arc":

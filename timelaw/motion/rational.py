@@ -12,9 +12,10 @@ from pydantic import Field
 
 from timelaw.easing.profile import Side, locate
 from timelaw.limits import Bounds, Limit
-from timelaw.limits.bounds import read_bounds, write_bounds
+from timelaw.limits.bounds import read_bounds
 from timelaw.limits.formula import Vector, dot
 from timelaw.limits.row import FormulaRow
+from timelaw.motion.moving import Moving
 from timelaw.motion.quaternion_curve import QuaternionCurve
 from timelaw.motion.schema import BRIEFEST, LONGEST, BoundsDocument, Duration, Number, Part, Text, Vector4
 from timelaw.motion.segment import Discrepancy, Quantity
@@ -22,7 +23,6 @@ from timelaw.numerics.array import Array
 from timelaw.numerics.quaternion import rotation_between
 from timelaw.numerics.quotient import Quotient
 
-DURATION_TOLERANCE = 1e-12  # of the segment; durations of pieces are rounded each
 QUADRATURE = 24  # nodes
 WEIGHT = 1e6  # largest component of a control point: gauges near one, far from where squares overflow
 ControlPoint = Annotated[
@@ -59,7 +59,7 @@ def _quadrature() -> tuple[Array, Array]:
 
 
 @dataclass(frozen=True)
-class Rational:
+class Rational(Moving):
     """q(t) = Q/|Q|, Q(t) by `pieces` that follow each other, each over its own duration.
 
     `start` and `end` (4,) are the nodes it should lead from and to; whether it does is for the certificate to
@@ -78,16 +78,6 @@ class Rational:
     end: Array
     pieces: tuple[QuaternionCurve, ...]
     limits: Mapping[str, Bounds] = field(default_factory=dict)
-
-    @property
-    def name(self) -> str:
-        """How reports call the segment."""
-        return f"{self.origin}–{self.target}"
-
-    @property
-    def end_time(self) -> float:
-        """Instant [s] at which the segment ends."""
-        return self.start_time + self.duration
 
     @cached_property
     def breaks(self) -> Array:
@@ -164,23 +154,11 @@ class Rational:
 
     def own_checks(self) -> Iterator[Discrepancy]:
         """Whether the pieces' durations add up."""
-        error = abs(fsum([*(piece.duration for piece in self.pieces), -self.duration])) / self.duration
-        yield Discrepancy("pieces take their segment's time", error, DURATION_TOLERANCE)
+        yield self.check_filled(piece.duration for piece in self.pieces)
 
     def document(self) -> dict[str, Any]:
         """As the law file has it."""
-        own = {"limits": write_bounds(self.limits)} if self.limits else {}
-        return {
-            "kind": self.kind,
-            "from": self.origin,
-            "to": self.target,
-            "start_time": self.start_time,
-            "duration": self.duration,
-            "start": self.start.tolist(),
-            "end": self.end.tolist(),
-            **own,
-            "pieces": [{"duration": p.duration, "control": p.control.tolist()} for p in self.pieces],
-        }
+        return self.write({}, [{"duration": p.duration, "control": p.control.tolist()} for p in self.pieces])
 
     @classmethod
     def read(cls, s: RationalDocument) -> "Rational":
