@@ -103,11 +103,15 @@ class Evidence:
 
     @cached_property
     def scale(self) -> dict[int, float]:
-        """What a jump of each rate is a part of: the limit of that order, else the largest of the motion."""
+        """What a jump of each rate is a part of: the limit of that order, else the largest of the motion.
+
+        At least the speed over the power of the whole time: in a steady turn all else is rounding.
+        """
         given = {
             RATES[name]: float(np.min(bound)) for name, bound in self.spec.limits.items() if name in RATES
         }
-        return {k: given.get(k, self.largest[k]) for k in range(1, 5)}
+        steady = {k: self.largest[1] / self.law.duration ** (k - 1) for k in range(1, 5)}
+        return {k: given.get(k, max(self.largest[k], steady[k])) for k in range(1, 5)}
 
     def resolution(self, piece: Piece, order: int) -> float:
         """What of the k-th rate rounding may hide: of times, and of what is integrated on a short piece."""
