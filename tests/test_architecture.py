@@ -17,7 +17,7 @@ PLAN = """
 ground:      errors progress interrupts time_limit files results_folder workers units numerics
 vocabulary:  limits least_time easing objectives
 law wing:    motion law_file certificate
-design wing: problem orientations tours route requirements nlp time_law
+design wing: problem orientations tours route requirements nlp through time_law
 meeting:     compose pipeline
 showing:     report export study reproduce cli
 """
@@ -26,6 +26,7 @@ SENTENCE = [room for rooms in WINGS.values() for room in rooms]
 LAW_WING, DESIGN_WING = set(WINGS["law wing"]), set(WINGS["design wing"])
 HOMES = {
     "casadi": "nlp",
+    "clarabel": "through",
     "matplotlib": "report",
     "jinja2": "report",
     "click": "cli",

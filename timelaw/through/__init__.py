@@ -1,0 +1,1 @@
+"""Past every node without a stop: rational segments whose node states a cone program chooses."""
