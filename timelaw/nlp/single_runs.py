@@ -26,7 +26,7 @@ def solve_distinct(
     Of a run that takes more than `enough` [s], asked for as its turn comes, no better one is looked for.
 
     Raises:
-        InfeasibleError: runs with given times or rates have no solution, all of them told.
+        InfeasibleError: a run with given times or rates has no solution; how many were not tried is told.
     """
     distinct = list({problem.key(): problem for problem in problems}.values())
     for index, problem in enumerate(distinct):
@@ -35,17 +35,10 @@ def solve_distinct(
         try:
             yield solve_run(problem, enough(problem))
         except InfeasibleError as error:
-            others = [other for other in distinct[index + 1 :] if not other.elastic]
-            raise InfeasibleError(*error.faults, *_list_faults(others)) from None
-
-
-def _list_faults(problems: Sequence[RunProblem]) -> Iterator[Fault]:
-    """What is wrong with those that have no solution."""
-    for problem in problems:
-        try:
-            solve_run(problem)
-        except InfeasibleError as error:
-            yield from error.faults
+            untried = sum(not other.elastic for other in distinct[index + 1 :])
+            what = "run" if untried == 1 else "runs"
+            more = [Fault(f"not tried: {untried} more {what} with given durations or rates")]
+            raise InfeasibleError(*error.faults, *(more if untried else [])) from None
 
 
 def assign_solutions(problems: Sequence[RunProblem], solutions: Sequence[Solution]) -> Timings:
