@@ -24,7 +24,9 @@ from tests.campaign.spec import read_spec
 from tests.oracles import LinearProgram
 
 SEED, COUNT = 1, 90
-REGRESSIONS = sorted((Path(__file__).parent / "regressions").glob("*.yaml"))
+FOLDER = Path(__file__).parent / "regressions"
+REGRESSIONS = sorted(FOLDER.glob("*.yaml"))
+LONG_REGRESSIONS = sorted((FOLDER / "long").glob("*.yaml"))
 CPU_LIMIT = 60.0  # s a case
 
 
@@ -42,6 +44,14 @@ def test_a_random_problem_is_answered_rightly(number, pool):
 
 @pytest.mark.parametrize("path", REGRESSIONS, ids=lambda path: path.stem)
 def test_what_was_answered_wrongly_once_is_right(path):
+    result = judge(path.read_text())
+    assert not result.failed, "\n".join([result.verdict, *result.findings, result.message])
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("path", LONG_REGRESSIONS, ids=lambda path: path.stem)
+def test_what_took_too_long_once_is_right(path):
+    """Each takes five seconds to a minute."""
     result = judge(path.read_text())
     assert not result.failed, "\n".join([result.verdict, *result.findings, result.message])
 

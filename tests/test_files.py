@@ -245,4 +245,4 @@ def test_labels_with_any_characters_survive(paper):
 
 def test_reference_laws_are_small():
     design = reference("paper-24-cell")
-    assert len(format_law(design.optimised.law, design.optimised.certificate, {})) < 20_000
+    assert len(format_law(design.optimised.law, design.optimised.certificate, {})) < 24_000

@@ -110,10 +110,10 @@ def test_labels_that_differ_at_a_joint_are_a_finding_in_json(paper, tmp_path, ca
     (tmp_path / "law.json").write_text(json.dumps(document))
     assert _run(["verify", str(tmp_path / "law.json"), "--json"]) == 1
     result = json.loads(capsys.readouterr().out)
-    joint = next(check for check in result["certificate"]["checks"] if check["check"] == "segments join")
+    joint = next(check for check in result["certificate"]["checks"] if check["check"] == "nodes are met")
     assert joint["worst"] is None
     assert joint["holds"] is False
-    assert any("segments join: off by inf at elsewhere" in finding for finding in result["findings"])
+    assert any("nodes are met: off by inf rad" in finding for finding in result["findings"])
 
 
 def test_a_law_file_says_null_of_what_is_not_finite(paper):

@@ -14,6 +14,7 @@ from types import FrameType
 from timelaw.errors import InfeasibleError
 
 LARGEST_PART = 0.5  # of the limit, that may be set aside
+AGAIN = 0.1  # seconds after which it rings again: what it raises may be swallowed, in a destructor perhaps
 LEAST = 1e-3  # seconds; a timer of none would never ring
 
 
@@ -70,7 +71,7 @@ def refuse_when_over(message: str) -> Iterator[None]:
     before = signal.signal(signal.SIGALRM, refuse) if rings else None
     try:
         if rings:
-            signal.setitimer(signal.ITIMER_REAL, max(_state.over - time.monotonic(), LEAST))
+            signal.setitimer(signal.ITIMER_REAL, max(_state.over - time.monotonic(), LEAST), AGAIN)
         yield
         if time.monotonic() > _state.over:
             refuse()
