@@ -23,6 +23,7 @@ from tests.exact.limits import RATE_ORDERS, list_limited
 from tests.exact.motion import Motion
 from tests.exact.mutations import ACCEPTED, FAILED, FOUND, REFUSED, alter, examine, verify
 from tests.exact.problems import PROBLEMS, list_laws
+from timelaw.certificate import certify
 from timelaw.law_file import from_document
 
 BROKEN = [*list_broken(), *list_false_records()]
@@ -123,3 +124,21 @@ def test_no_altered_law_is_accepted_that_breaks_a_promise(laws):
         name, kind, document = alter(laws, 1, number)
         outcomes += examine(name, kind, document, laws[name])
     assert [(one.law, one.kind, one.broken) for one in outcomes if one.row in FAILED] == []
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"axis": [0.0, 0.0, 1e-200]},
+        {"axis": [0.0, 0.0, 0.0]},
+        {"start": [1e200, 0.0, 0.0, 0.0]},
+        {"start_time": 1e308},
+        {"start_time": -1e308},
+    ],
+)
+@pytest.mark.parametrize("index", [0, 1])
+def test_numbers_at_the_end_of_their_range_are_findings(change, index):
+    document = make_law()
+    document["segments"][index] |= change
+    with np.errstate(over="ignore", invalid="ignore"):  # as the command has it
+        assert certify(from_document(document)).findings()

@@ -16,6 +16,7 @@ NODE_TOLERANCE = 1e-9  # rad of body rotation, of all that comes together at a n
 NODE_ROUNDING = 1e-14  # rad; of products of quaternions and their angles, a few dozen roundings
 CLOCK_TOLERANCE = 2.0  # spacings of the doubles there; a start time is a rounded sum
 CLOCK_RESOLUTION = 1e-6  # of a segment; what the spacing of doubles is at most at its end
+COUNTLESS = 10**300  # spacings: beyond, no double can count them
 RESOLVED = "the clock resolves each segment"
 
 
@@ -59,7 +60,8 @@ def check_geometry(law: QuaternionLaw) -> tuple[GeometryCheck, ...]:
 def _step(before: Segment, after: Segment) -> float:
     """The time between two segments in spacings of doubles there, exact: no gap may look like less."""
     gap = Fraction(after.start_time) - Fraction(before.start_time) - Fraction(before.duration)
-    return float(abs(gap) / Fraction(float(np.spacing(max(after.start_time, before.end_time)))))
+    spacings = abs(gap) / Fraction(float(np.spacing(max(after.start_time, before.end_time))))
+    return float(spacings) if spacings < COUNTLESS else inf
 
 
 def _worst(check: str, tolerance: float, errors: list[tuple[str, float]], unit: str = "") -> GeometryCheck:

@@ -39,7 +39,7 @@ def list_scales(law: QuaternionLaw) -> dict[int, list[JumpScale]]:
     slowest = _sustain(law.legs, 1)
     found = {}
     for k in RATES:
-        sustained = np.array(max(_sustain(law.legs, k), slowest / law.duration ** (k - 1)))
+        sustained = np.array(max(_sustain(law.legs, k), slowest / np.power(law.duration, k - 1.0)))
         found[k] = [_choose(law, segment, names[k], sustained) for segment in law.segments]
     return found
 

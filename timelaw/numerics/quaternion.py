@@ -9,6 +9,8 @@ from numpy.typing import ArrayLike
 
 from timelaw.numerics.array import Array
 
+LEAST_NORM = 1e-150  # squares of what is smaller vanish
+
 
 def multiply(p: ArrayLike, q: ArrayLike) -> Array:
     """Hamilton product p ⊗ q, shapes (..., 4) → (..., 4); q acts first, p later."""
@@ -51,8 +53,13 @@ def rotation_matrix(q: ArrayLike) -> Array:
 
 
 def normalise(v: ArrayLike) -> Array:
-    """Vectors (..., k) over their norms."""
+    """Vectors (..., k) over their norms, however small or large; not numbers where there is no direction."""
     v = np.asarray(v, dtype=float)
+    size = np.linalg.norm(v, axis=-1, keepdims=True)
+    if np.all((size > LEAST_NORM) & (size < 1 / LEAST_NORM)):
+        return np.array(v / size)
+    largest = np.max(np.abs(v), axis=-1, keepdims=True)
+    v = v / np.where(largest > 0, largest, np.nan)
     return np.array(v / np.linalg.norm(v, axis=-1, keepdims=True))
 
 
