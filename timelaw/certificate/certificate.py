@@ -45,9 +45,8 @@ class Certificate:
         if self.continuity.order < self.asked:
             found.append(f"the motion is C{self.continuity.order}, C{self.asked} was asked for")
         found += [
-            f"{g.check}: off by {g.worst:.3g} {g.unit} at {g.where}, {g.tolerance:.1g} is tolerated".replace(
-                "  ", " "
-            )
+            f"{g.check}: off by {' '.join([f'{g.worst:.3g}', *g.unit.split()])} at {g.where}, "
+            f"{g.tolerance:.1g} is tolerated"
             for g in self.geometry
             if not g.holds
         ]

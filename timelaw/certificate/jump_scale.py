@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from timelaw.limits.rate import ORDERS
+from timelaw.limits.row import ORDERS
 from timelaw.motion import QuaternionLaw, Segment
 from timelaw.motion.segment import RATES
 from timelaw.numerics.array import Array

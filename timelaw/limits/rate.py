@@ -8,10 +8,8 @@ import numpy as np
 
 from timelaw.limits.bounds import Bounds, bound_vector, least_quotient, split_by_axis
 from timelaw.limits.formula import Formula, Rates, Vector
-from timelaw.limits.row import ORDERS, RateRow
+from timelaw.limits.row import RateRow
 from timelaw.numerics.array import Array
-
-__all__ = ["ORDERS", "UNITS", "Rate"]
 
 UNITS = {1: "rad/s", 2: "rad/s²", 3: "rad/s³", 4: "rad/s⁴"}
 

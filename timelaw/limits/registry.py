@@ -8,8 +8,8 @@ from timelaw.limits.body import RigidBody
 from timelaw.limits.bounds import Bounds
 from timelaw.limits.limit import Limit, LimitKind
 from timelaw.limits.momentum import Momentum, find_contradiction
-from timelaw.limits.rate import ORDERS, Rate
-from timelaw.limits.row import Row
+from timelaw.limits.rate import Rate
+from timelaw.limits.row import ORDERS, Row
 from timelaw.limits.torque import ACTUATORS
 from timelaw.numerics.array import Array
 from timelaw.units import ANGULAR_ACCELERATION, ANGULAR_JERK, ANGULAR_SNAP, ANGULAR_VELOCITY, MOMENTUM, TORQUE

@@ -15,20 +15,15 @@ from timelaw.limits import Bounds, Limit, list_rows
 from timelaw.limits.bounds import read_bounds
 from timelaw.limits.formula import Vector
 from timelaw.limits.polynomials import expand_rows
-from timelaw.motion.moving import Moving
+from timelaw.motion.moving import LegDocument, Moving
 from timelaw.motion.schema import (
     BRIEFEST,
     LARGEST_ANGLE,
     LONGEST,
     NARROWEST,
-    BoundsDocument,
     Control,
-    Duration,
-    Number,
     Part,
-    Text,
     Vector3,
-    Vector4,
 )
 from timelaw.motion.segment import MAX_ORDER, Discrepancy, Quantity
 from timelaw.numerics.array import Array
@@ -46,19 +41,12 @@ class PieceDocument(Part):
     bernstein: Annotated[list[Control], Field(min_length=1, max_length=64)]
 
 
-class ArcDocument(Part):
+class ArcDocument(LegDocument):
     """What a law file says of an arc."""
 
     kind: Literal["arc"]
-    origin: Annotated[Text, Field(alias="from")]
-    target: Annotated[Text, Field(alias="to")]
-    start_time: Number
-    duration: Duration
-    start: Vector4
-    end: Vector4
     axis: Vector3
     angle: Annotated[float, Field(ge=NARROWEST, le=LARGEST_ANGLE)]
-    limits: BoundsDocument = Field(default_factory=dict)
     pieces: Annotated[list[PieceDocument], Field(min_length=1), FailFast()]
 
 

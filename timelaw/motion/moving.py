@@ -2,14 +2,29 @@
 
 from collections.abc import Iterable, Mapping
 from math import fsum
-from typing import Any, ClassVar
+from typing import Annotated, Any, ClassVar
+
+from pydantic import Field
 
 from timelaw.limits import Bounds
 from timelaw.limits.bounds import write_bounds
+from timelaw.motion.schema import BoundsDocument, Duration, Number, Part, Text, Vector4
 from timelaw.motion.segment import Discrepancy
 from timelaw.numerics.array import Array
 
 DURATION_TOLERANCE = 1e-12  # of the segment; durations of pieces are rounded each
+
+
+class LegDocument(Part):
+    """What a law file says of every segment that moves the body."""
+
+    origin: Annotated[Text, Field(alias="from")]
+    target: Annotated[Text, Field(alias="to")]
+    start_time: Number
+    duration: Duration
+    start: Vector4
+    end: Vector4
+    limits: BoundsDocument = Field(default_factory=dict)
 
 
 class Moving:

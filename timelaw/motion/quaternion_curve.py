@@ -11,11 +11,11 @@ from math import comb
 
 import numpy as np
 
-from timelaw.limits.formula import Vector, cross, product
+from timelaw.limits.formula import Vector, product
 from timelaw.numerics.array import Array, freeze
-from timelaw.numerics.ball import Ball
 from timelaw.numerics.bernstein import differentiate, evaluate
 from timelaw.numerics.polynomial import Polynomial
+from timelaw.numerics.quaternion import conjugate, multiply
 
 
 @dataclass(frozen=True)
@@ -78,15 +78,19 @@ class QuaternionCurve:
 
     @cached_property
     def _numerators(self) -> dict[int, Vector]:
-        return {1: [p * 2.0 for p in _vector_part(self._components(0), self._components(1))]}
+        return {1: [part * 2.0 for part in product(self._conjugate(), self._components(1))[1:]]}
 
     def turn_back(self, vector: Vector) -> Vector:
         """D times a vector (3) of the world in body axes: the vector part of Q̄ ⊗ (0, h) ⊗ Q."""
         if not any(vector):
             return vector
+        inner = [Polynomial(np.zeros(1)), *(Polynomial(np.ones(1)) * part for part in vector)]
+        return product(product(self._conjugate(), inner), self._components(0))[1:]
+
+    def _conjugate(self) -> list[Polynomial]:
+        """Q̄."""
         q = self._components(0)
-        back = [q[0], *(part * -1.0 for part in q[1:])]
-        return product(product(back, [Polynomial(np.zeros(1)), *(_constant(part) for part in vector)]), q)[1:]
+        return [q[0], *(part * -1.0 for part in q[1:])]
 
     def _components(self, order: int) -> list[Polynomial]:
         parts = [Polynomial(column) for column in self.control.T]
@@ -95,25 +99,12 @@ class QuaternionCurve:
         return parts
 
 
-def _constant(value: Ball | float) -> Polynomial:
-    return Polynomial(np.ones(1)) * value
-
-
-def _vector_part(a: Sequence[Polynomial], b: Sequence[Polynomial]) -> list[Polynomial]:
-    """Vec(ā b) = a₀ b - b₀ a - a × b of polynomials."""
-    across = cross(a[1:], b[1:])
-    return [a[0] * b[i + 1] + b[0] * a[i + 1] * -1.0 + across[i] * -1.0 for i in range(3)]
-
-
 def _derive_vector(q: Sequence[Array], order: int) -> Array:
     """The k-th derivative (m, 3) of v(Q, Q')."""
-    return sum((comb(order, i) * _vector_of(q[i], q[order - i + 1]) for i in range(order + 1)), np.zeros(3))
-
-
-def _vector_of(a: Array, b: Array) -> Array:
-    """Vec(ā b) (m, 3) of numbers."""
-    scalar, other = a[..., :1], b[..., :1]
-    return np.array(scalar * b[..., 1:] - other * a[..., 1:] - np.cross(a[..., 1:], b[..., 1:]))
+    return sum(
+        (comb(order, i) * multiply(conjugate(q[i]), q[order - i + 1])[..., 1:] for i in range(order + 1)),
+        np.zeros(3),
+    )
 
 
 def _sum_products(q: Sequence[Array], order: int) -> Array:

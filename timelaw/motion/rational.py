@@ -15,9 +15,9 @@ from timelaw.limits import Bounds, Limit
 from timelaw.limits.bounds import read_bounds
 from timelaw.limits.formula import Vector, dot
 from timelaw.limits.row import FormulaRow
-from timelaw.motion.moving import Moving
+from timelaw.motion.moving import LegDocument, Moving
 from timelaw.motion.quaternion_curve import QuaternionCurve
-from timelaw.motion.schema import BRIEFEST, LONGEST, BoundsDocument, Duration, Number, Part, Text, Vector4
+from timelaw.motion.schema import BRIEFEST, LONGEST, Part
 from timelaw.motion.segment import Discrepancy, Quantity
 from timelaw.numerics.array import Array
 from timelaw.numerics.quaternion import rotation_between
@@ -37,17 +37,10 @@ class CurveDocument(Part):
     control: Annotated[list[ControlPoint], Field(min_length=2, max_length=16)]
 
 
-class RationalDocument(Part):
+class RationalDocument(LegDocument):
     """What a law file says of a rational segment."""
 
     kind: Literal["rational"]
-    origin: Annotated[Text, Field(alias="from")]
-    target: Annotated[Text, Field(alias="to")]
-    start_time: Number
-    duration: Duration
-    start: Vector4
-    end: Vector4
-    limits: BoundsDocument = Field(default_factory=dict)
     pieces: Annotated[list[CurveDocument], Field(min_length=1)]
 
 

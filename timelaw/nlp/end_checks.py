@@ -7,7 +7,7 @@ import numpy as np
 from timelaw.errors import Fault, InfeasibleError
 from timelaw.least_time.braking import braking_distance, list_reached
 from timelaw.least_time.constant_bounds import rate_bounds
-from timelaw.limits.rate import ORDERS
+from timelaw.limits.row import ORDERS
 from timelaw.nlp.program import FARTHEST, RunProblem
 
 OVER = 1e-9  # relative: a rate that is carried so little beyond its limit may be rounding

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from timelaw.errors import Fault, InputError
 from timelaw.limits import Demand, Row
-from timelaw.limits.rate import ORDERS
+from timelaw.limits.row import ORDERS
 
 AT_LIMIT = 1e-12  # relative: what is typed as the limit itself may be rounded otherwise
 EASED = (

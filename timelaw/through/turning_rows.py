@@ -10,6 +10,7 @@ import numpy as np
 
 from timelaw.numerics.array import Array
 from timelaw.numerics.bernstein import basis_matrix
+from timelaw.numerics.quaternion import conjugate, multiply
 
 ORDERS = 4  # Q and three derivatives
 
@@ -93,7 +94,7 @@ def _scalar(**parts: Array) -> Array:
 
 def _vector(a: Array, b: Array) -> Array:
     """Vec(ā b)."""
-    return np.asarray(a[..., :1] * b[..., 1:] - b[..., :1] * a[..., 1:] - np.cross(a[..., 1:], b[..., 1:]))
+    return np.asarray(multiply(conjugate(a), b)[..., 1:])
 
 
 def _by_first(b: Array) -> Array:
