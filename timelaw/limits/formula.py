@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 Vector = Sequence[Any]  # three components in body axes
+ZERO: Vector = (0.0, 0.0, 0.0)
 Rates = Mapping[int, Vector]  # by order: 1 ω, 2 α, 3 jerk, 4 snap
 
 

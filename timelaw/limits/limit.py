@@ -40,8 +40,17 @@ class Limit(Protocol):
         """Whether on a leg it ties rates of different orders together, so that no bound on one says all."""
         ...
 
+    @property
+    def bounds(self) -> Bounds:
+        """On the norm of what is limited, or on its components."""
+        ...
+
+    def vector(self, rates: Rates, total: Vector = ...) -> Vector:
+        """What is limited (3), in the vectors ω, α, …; `total` is the angular momentum H in body axes."""
+        ...
+
     def of(self, rates: Rates, total: Vector = ...) -> Sequence[Formula]:
-        """The limit as formulas in the vectors ω, α, …; `total` is the angular momentum H in body axes."""
+        """The limit as formulas: on the square of its vector's norm, or on each component."""
         ...
 
     def on(self, axis: Array) -> Sequence[Row]:

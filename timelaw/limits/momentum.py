@@ -8,7 +8,7 @@ import numpy as np
 
 from timelaw.limits.body import RigidBody
 from timelaw.limits.bounds import Bounds, bound_vector, least_quotient, lessen, split_by_axis
-from timelaw.limits.formula import Formula, Rates, Vector, apply, subtract
+from timelaw.limits.formula import ZERO, Formula, Rates, Vector, apply, subtract
 from timelaw.limits.row import RateRow
 from timelaw.numerics.array import Array
 
@@ -36,11 +36,13 @@ class Momentum:
         """It bounds φ' alone."""
         return False
 
-    def of(self, rates: Rates, total: Vector = (0.0, 0.0, 0.0)) -> list[Formula]:
+    def vector(self, rates: Rates, total: Vector = ZERO) -> Vector:
         """H - Jω, `total` being H (3,) in body axes at that instant."""
-        return bound_vector(
-            self.name, subtract(total, apply(self.body.inertia.tolist(), rates[1])), self.bounds
-        )
+        return subtract(total, apply(self.body.inertia.tolist(), rates[1]))
+
+    def of(self, rates: Rates, total: Vector = ZERO) -> list[Formula]:
+        """|H - Jω| ≤ h, or by axis."""
+        return bound_vector(self.name, self.vector(rates, total), self.bounds)
 
     def on(self, axis: Array) -> Sequence[RateRow]:
         """Rows on a leg about `axis` (3,)."""

@@ -7,7 +7,7 @@ from typing import ClassVar
 import numpy as np
 
 from timelaw.limits.bounds import Bounds, bound_vector, least_quotient, split_by_axis
-from timelaw.limits.formula import Formula, Rates, Vector
+from timelaw.limits.formula import ZERO, Formula, Rates, Vector
 from timelaw.limits.row import RateRow
 from timelaw.numerics.array import Array
 
@@ -39,9 +39,13 @@ class Rate:
         """Of the rate."""
         return UNITS[self.order]
 
-    def of(self, rates: Rates, total: Vector = (0.0, 0.0, 0.0)) -> list[Formula]:  # noqa: ARG002
+    def vector(self, rates: Rates, total: Vector = ZERO) -> Vector:  # noqa: ARG002
+        """The k-th rate."""
+        return rates[self.order]
+
+    def of(self, rates: Rates, total: Vector = ZERO) -> list[Formula]:
         """V · v ≤ w², or v_i ≤ w_i, v the k-th rate."""
-        return bound_vector(self.name, rates[self.order], self.bounds)
+        return bound_vector(self.name, self.vector(rates, total), self.bounds)
 
     def on(self, axis: Array) -> Sequence[RateRow]:
         """Rows on a leg about `axis` (3,)."""

@@ -9,7 +9,7 @@ import numpy as np
 from timelaw.limits.body import EXTERNAL, WHEELS, RigidBody
 from timelaw.limits.bounds import AXES, Bounds, bound_vector, least_quotient, split_by_axis
 from timelaw.limits.coupled_row import DriftRow, TorqueNormRow, TorqueRow
-from timelaw.limits.formula import Formula, Rates, Vector, add, apply, cross
+from timelaw.limits.formula import ZERO, Formula, Rates, Vector, add, apply, cross
 from timelaw.limits.limit import Limit
 from timelaw.limits.row import RateRow, Row
 from timelaw.numerics.array import Array
@@ -49,11 +49,14 @@ class ExternalTorque:
     highest: ClassVar[int] = 2
     unit: ClassVar[str] = UNIT
 
-    def of(self, rates: Rates, total: Vector = (0.0, 0.0, 0.0)) -> list[Formula]:  # noqa: ARG002
+    def vector(self, rates: Rates, total: Vector = ZERO) -> Vector:  # noqa: ARG002
         """Jα + ω×Jω."""
         matrix = self.body.inertia.tolist()
-        torque = add(apply(matrix, rates[2]), cross(rates[1], apply(matrix, rates[1])))
-        return bound_vector(self.name, torque, self.bounds)
+        return add(apply(matrix, rates[2]), cross(rates[1], apply(matrix, rates[1])))
+
+    def of(self, rates: Rates, total: Vector = ZERO) -> list[Formula]:
+        """|Jα + ω×Jω| ≤ τ, or by axis."""
+        return bound_vector(self.name, self.vector(rates, total), self.bounds)
 
     def on(self, axis: Array) -> Sequence[Row]:
         """Rows on a leg about `axis` (3,)."""
@@ -94,10 +97,13 @@ class WheelTorque:
         """Only where the total momentum is not zero."""
         return bool(self.body.total_momentum)
 
-    def of(self, rates: Rates, total: Vector = (0.0, 0.0, 0.0)) -> list[Formula]:
+    def vector(self, rates: Rates, total: Vector = ZERO) -> Vector:
         """Jα + ω×H, `total` being H (3,) in body axes at that instant."""
-        torque = add(apply(self.body.inertia.tolist(), rates[2]), cross(rates[1], total))
-        return bound_vector(self.name, torque, self.bounds)
+        return add(apply(self.body.inertia.tolist(), rates[2]), cross(rates[1], total))
+
+    def of(self, rates: Rates, total: Vector = ZERO) -> list[Formula]:
+        """|Jα + ω×H| ≤ τ, or by axis."""
+        return bound_vector(self.name, self.vector(rates, total), self.bounds)
 
     def on(self, axis: Array) -> Sequence[Row]:
         """Rows on a leg about `axis` (3,)."""
