@@ -18,7 +18,7 @@ ground:      errors progress interrupts time_limit files results_folder workers 
 vocabulary:  limits least_time easing objectives
 law wing:    motion law_file certificate
 design wing: problem orientations tours route requirements nlp through time_law
-meeting:     compose pipeline
+meeting:     compose proved_passages pipeline
 showing:     report export study reproduce cli
 """
 WINGS = {wing: rooms.split() for wing, rooms in (line.split(":") for line in PLAN.strip().splitlines())}

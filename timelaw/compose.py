@@ -1,12 +1,65 @@
 """Where the two wings meet: a time law laid along its route becomes the motion."""
 
+from collections.abc import Sequence
+
+from timelaw.easing import Timing
 from timelaw.motion import QuaternionLaw, Segment
 from timelaw.motion.arc import Arc
+from timelaw.motion.deviation import DEVIATION
 from timelaw.motion.dwell import Dwell
+from timelaw.motion.quaternion_curve import QuaternionCurve
+from timelaw.motion.rational import Rational
 from timelaw.motion.segment import MAX_ORDER
 from timelaw.requirements import Requirements
 from timelaw.route import Route
+from timelaw.through.curve import Curve
+from timelaw.through.passage import Passage
 from timelaw.time_law import TimeLaw
+
+
+def compose_through(
+    name: str,
+    route: Route,
+    passages: Sequence[Passage],
+    timings: Sequence[Timing],
+    requirements: Requirements,
+    continuity: int,
+    deviation: float | None = None,
+) -> QuaternionLaw:
+    """Lay curves where passages have them, and where not the `timings` of all legs, along a route."""
+    segments: list[Segment] = []
+    time = 0.0
+    visits = [route.legs[0].start, *(leg.end for leg in route.legs)]
+    curves = {k: (passage.curve, k - passage.first) for passage in passages for k in passage.legs}
+    bound = {} if deviation is None else {DEVIATION: deviation}
+    for index, dwell in enumerate(requirements.dwells):
+        if dwell > 0:
+            segments.append(Dwell(route.nodes[index].label, time, dwell, visits[index]))
+            time += dwell
+        if index == len(route.legs):
+            break
+        leg, (curve, number), limits = (
+            route.legs[index],
+            curves[index],
+            requirements.leg_limits.get(index, {}),
+        )
+        ends = (leg.origin, leg.target, time)
+        if curve is None:
+            duration = timings[index].duration
+            profile = timings[index].profile(leg.angle)
+            segments.append(Arc(*ends, duration, leg.start, leg.end, leg.axis, leg.angle, profile, limits))
+        else:
+            pieces = _cut_curve(curve, number)
+            duration = pieces[0].duration * curve.pieces
+            segments.append(Rational(*ends, duration, leg.start, leg.end, pieces, {**limits, **bound}))
+        time += duration
+    return QuaternionLaw(name, tuple(segments), requirements.limits, requirements.body, continuity)
+
+
+def _cut_curve(curve: Curve, leg: int) -> tuple[QuaternionCurve, ...]:
+    """The pieces of one of its legs."""
+    own = slice(leg * curve.pieces, (leg + 1) * curve.pieces)
+    return tuple(QuaternionCurve(float(curve.duration[leg]), points) for points in curve.control()[own])
 
 
 def compose_law(

@@ -1,5 +1,6 @@
 """The whole program in one function: from a problem file to a certified law beside its baselines."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -15,11 +16,14 @@ from timelaw.numerics.threads import on_one_thread
 from timelaw.orientations import OrientationSet, read_orientations
 from timelaw.problem import Problem, Source, load_problem
 from timelaw.progress import Progress
+from timelaw.proved_passages import prove_passages
 from timelaw.requirements import Requirements, resolve_requirements
 from timelaw.requirements.given_times import list_budgets
 from timelaw.route import Route, lay_route
+from timelaw.through.passage import Through, find_passages
+from timelaw.through.stopping import choose_stopping
 from timelaw.time_law import BASELINES, TimeLaw
-from timelaw.time_law.time_law import OPTIMISED_LAW
+from timelaw.time_law.time_law import OPTIMISED_LAW, STOPPING_LAW
 from timelaw.tours import Tour, find_tour
 
 
@@ -53,6 +57,7 @@ class Design(Layout):
     solution: Timings
     optimised: Certified
     baselines: tuple[Certified, ...]
+    through: Through | None = None
 
     @property
     def laws(self) -> tuple[Certified, ...]:
@@ -83,10 +88,43 @@ def design_layout(layout: Layout, progress: Progress | None = None) -> Design:
         InfeasibleError: no law was found.
     """
     problem = layout.problem
+    if problem.motion.through:
+        return design_through(layout, progress)
     with layout.source.placed(), on_one_thread():
         family, solution = optimise(problem, layout.route, layout.requirements, progress)
     time_law = TimeLaw(OPTIMISED_LAW, solution.timings, layout.requirements.dwells)
     optimised = certify_time_law(layout, time_law, problem.nodes.continuity)
+    return _set_beside(layout, family, solution, optimised)
+
+
+def design_through(layout: Layout, progress: Progress | None = None) -> Design:
+    """Design a law that passes the nodes without a stop, and where that is slower one that stops at corners.
+
+    Raises:
+        InfeasibleError: no law was found.
+    """
+    problem, route, requirements = layout.problem, layout.route, layout.requirements
+    with layout.source.placed(), on_one_thread():
+        family, solution = optimise(choose_stopping(problem, requirements), route, requirements, progress)
+        through = find_passages(problem, route, requirements, solution.timings, progress)
+        proved = prove_passages(problem, route, requirements, through, solution.timings)
+    through, law, certificate = proved
+    stopping = TimeLaw(STOPPING_LAW, solution.timings, requirements.dwells)
+    beside = [certify_time_law(layout, stopping, problem.nodes.continuity)]
+    optimised = Certified(OPTIMISED_LAW, law, certificate)
+    return _set_beside(layout, family, solution, optimised, beside, through)
+
+
+def _set_beside(
+    layout: Layout,
+    family: Family,
+    solution: Timings,
+    optimised: Certified,
+    beside: Sequence[Certified] = (),
+    through: Through | None = None,
+) -> Design:
+    """The design of a law with the baselines, and what else stands `beside` it."""
+    problem = layout.problem
     with layout.source.placed():
         _refuse_unresolved(optimised)
     given = problem.objective.total_time is not None
@@ -97,7 +135,12 @@ def design_layout(layout: Layout, progress: Progress | None = None) -> Design:
         for baseline in BASELINES[name](layout.route, layout.requirements, budgets)
     ]
     return Design(
-        **vars(layout), family=family, solution=solution, optimised=optimised, baselines=tuple(baselines)
+        **vars(layout),
+        family=family,
+        solution=solution,
+        optimised=optimised,
+        baselines=(*beside, *baselines),
+        through=through,
     )
 
 

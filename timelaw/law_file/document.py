@@ -67,8 +67,13 @@ def from_document(document: Any, path: str = "") -> QuaternionLaw:
     if not read.limits:
         raise InputError(Fault("at least one limit is needed, or there is nothing to prove", "limits", path))
     segments = tuple(KINDS[segment.kind].read(segment) for segment in read.segments)
-    for limits in (read.limits, *(segment.limits for segment in segments)):
-        _check_limits(limits, body, path)
+    _check_limits(read.limits, body, path)
+    for segment in segments:
+        own = set(segment.own_limits)
+        _check_limits({name: b for name, b in segment.limits.items() if name not in own}, body, path)
+        for name in own & set(segment.limits):
+            if not isinstance(segment.limits[name], float):
+                raise InputError(Fault("one angle [rad] is needed", f"limits.{name}", path))
     outside = (read.outside.before, read.outside.after) if read.outside else (None, None)
     before, after = (
         {k: np.array(getattr(rates, name), dtype=float) for k, name in RATES.items()} if rates else {}

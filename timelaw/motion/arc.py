@@ -61,6 +61,7 @@ class Arc(Moving):
 
     kind: ClassVar[str] = "arc"
     moves: ClassVar[bool] = True
+    own_limits: ClassVar[tuple[str, ...]] = ()
     document_model: ClassVar[type[Part]] = ArcDocument
 
     origin: str
@@ -133,6 +134,10 @@ class Arc(Moving):
         rows = list_rows(limits, enclose_direction(self.axis))
         for row, piece, polynomial in expand_rows(rows, self.rates):
             yield Quantity(row, polynomial, breaks[piece], breaks[piece + 1])
+
+    def own_quantities(self) -> Iterator[Quantity]:
+        """None."""
+        yield from ()
 
     def unit_vectors(self) -> tuple[Array, ...]:
         """Both orientations, and the axis."""

@@ -33,6 +33,7 @@ class Dwell:
 
     kind: ClassVar[str] = "dwell"
     moves: ClassVar[bool] = False
+    own_limits: ClassVar[tuple[str, ...]] = ()
     document_model: ClassVar[type[Part]] = DwellDocument
     breaks: ClassVar[Array] = np.array([0.0, 1.0])
     limits: ClassVar[Mapping[str, Bounds]] = MappingProxyType({})
@@ -95,6 +96,10 @@ class Dwell:
 
     def quantities(self, limits: Sequence[Limit], total: Vector) -> Iterator[Quantity]:  # noqa: ARG002
         """Nothing at rest is limited."""
+        yield from ()
+
+    def own_quantities(self) -> Iterator[Quantity]:
+        """None."""
         yield from ()
 
     def unit_vectors(self) -> tuple[Array, ...]:

@@ -100,3 +100,5 @@ class QuaternionLaw:
         for limits, place in ((self.limits, ""), (segment.limits, f" on {segment.name}")):
             for quantity in segment.quantities(make_limits(limits, self.body), self.total_momentum):
                 yield quantity.row.label + place, quantity
+        for quantity in segment.own_quantities():
+            yield quantity.row.label, quantity

@@ -15,6 +15,7 @@ from timelaw.limits import Bounds, Limit
 from timelaw.limits.bounds import read_bounds
 from timelaw.limits.formula import Vector, dot
 from timelaw.limits.row import FormulaRow
+from timelaw.motion.deviation import DEVIATION, list_deviations
 from timelaw.motion.moving import LegDocument, Moving
 from timelaw.motion.quaternion_curve import QuaternionCurve
 from timelaw.motion.schema import BRIEFEST, LONGEST, Part
@@ -61,6 +62,7 @@ class Rational(Moving):
 
     kind: ClassVar[str] = "rational"
     moves: ClassVar[bool] = True
+    own_limits: ClassVar[tuple[str, ...]] = (DEVIATION,)
     document_model: ClassVar[type[Part]] = RationalDocument
 
     origin: str
@@ -130,6 +132,16 @@ class Rational(Moving):
                     row = FormulaRow(limit.name, formula, limit.unit, limit.highest)
                     value = Quotient(formula.value, piece.power(limit.power * formula.root))
                     yield Quantity(row, value, start, end)
+
+    def own_quantities(self) -> Iterator[Quantity]:
+        """How far it leaves the arc of its leg, where that is limited."""
+        bound = self.limits.get(DEVIATION)
+        if isinstance(bound, float):
+            yield from self.list_deviations(bound)
+
+    def list_deviations(self, bound: float = np.pi) -> Iterator[Quantity]:
+        """The angle [rad] of the body to the arc from `start` to `end`, part by part."""
+        yield from list_deviations(self.start, self.end, self.pieces, self.breaks.tolist(), bound)
 
     def unit_vectors(self) -> tuple[Array, ...]:
         """Both orientations."""

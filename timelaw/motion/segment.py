@@ -39,11 +39,13 @@ class Segment(Protocol):
 
     Orientations are unit quaternions (4,), rates (3,) in body axes; `side` says from where a break is
     looked at, `end` is 0 for the first instant and -1 for the last. A segment that `moves` the
-    body is a leg. `limits` hold on this segment besides those of the law.
+    body is a leg. `limits` hold on this segment besides those of the law; `own_limits` are keys that only
+    its kind knows.
     """
 
     kind: ClassVar[str]
     moves: ClassVar[bool]
+    own_limits: ClassVar[tuple[str, ...]]
     document_model: ClassVar[type[Part]]
 
     @property
@@ -122,6 +124,10 @@ class Segment(Protocol):
 
     def quantities(self, limits: Sequence[Limit], total: Vector) -> Iterator[Quantity]:
         """What limits bound on it, row by row, piece by piece; `total` is H (3,) in the world."""
+        ...
+
+    def own_quantities(self) -> Iterator[Quantity]:
+        """What those of its own limits bound that only its kind knows."""
         ...
 
     def unit_vectors(self) -> Iterable[Array]:

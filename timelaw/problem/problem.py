@@ -13,6 +13,7 @@ from timelaw.objectives import OBJECTIVES
 from timelaw.problem.body import Body
 from timelaw.problem.fields import Model, as_tuple, fault, one_of, percentage, quantity
 from timelaw.problem.limits import Limits
+from timelaw.problem.motion import LEAST_DEGREES, Motion, read_motion
 from timelaw.problem.nodes import Nodes, SegmentRule
 from timelaw.problem.objective import Goal, read_goal
 from timelaw.problem.route import RouteModel
@@ -63,6 +64,7 @@ class Problem(Model):
     body: Body | None = None
     limits: Limits
     nodes: Nodes = Nodes()
+    motion: Annotated[Motion, BeforeValidator(read_motion)] = Motion()
     segments: dict[str, SegmentRule] = Field(default_factory=dict)
     easing: EasingModel = EasingModel()
     objective: Annotated[Goal, BeforeValidator(read_goal)] = Goal()
@@ -163,6 +165,19 @@ class Problem(Model):
         if OBJECTIVES[minimise].needs_inertia and any(self.body.momentum if self.body else ()):
             message = f"to minimise {minimise}, a total momentum of zero is needed: H turns against the body"
             raise fault(f"{message}; minimise energy instead", "objective", "minimise")
+        return self
+
+    @model_validator(mode="after")
+    def _motion_carries_continuity(self) -> Self:
+        if not self.motion.through:
+            return self
+        r, (degree, _) = self.nodes.continuity, self.motion.chosen
+        if r not in LEAST_DEGREES:
+            reason = "the states of nodes are ω, α and jerk, whose derivative jumps"
+            raise fault(f"{r}; a motion through the nodes has at most 3: {reason}", "nodes", "continuity")
+        if degree is not None and degree < LEAST_DEGREES[r]:
+            least = LEAST_DEGREES[r]
+            raise fault(f"{degree}; continuity {r} at the nodes needs {least} or more", "motion", "degree")
         return self
 
     def rigid_body(self) -> RigidBody | None:

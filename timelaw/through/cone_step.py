@@ -1,6 +1,7 @@
 """One step of the search: all rows to first order, as second-order cones, in a trust region."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from typing import Any
 
 import clarabel
 import numpy as np
@@ -10,125 +11,123 @@ from scipy import sparse
 from timelaw.numerics.array import Array
 from timelaw.through.columns import Columns, Index
 from timelaw.through.curve import Curve
-from timelaw.through.rate_limits import ORDERS, RateLimits
-from timelaw.through.turning_rows import derive_rates, make_basis
+from timelaw.through.rows import Rows
 
-NEAR = 0.75  # used parts below it are no rows, unless the trust region could bring them up
-REACH = 1.5  # times the trust region: how far a used part may rise in a step
 SOLVED = ("Solved", "AlmostSolved")
+Entries = tuple[Index, Index, Array]
 HEAD = 4  # rows of a cone: the room, and three components
 
 
 @dataclass(frozen=True)
-class Rows:
-    """Rates over bounds at points, to first order: `value` (n, 3), `slope` (n, 3, v) by `columns` (n, v).
+class Aim:
+    """What a step makes less: cost · x + ½ |residuals + slopes x|², and times that it keeps.
 
-    `order` (n,) is the power of the leg's time, `leg` (n,) its variable; `by_axis` says which bounds mean.
+    `residual` (m,) with its `slope` (m, count) sparse; `kept` (e, count) sparse: sums of variables that stay.
+    `soft` are kinds of rows that may be broken at a price: by a slack of each leg, or with `shared` by one
+    for all, which may be negative too.
     """
 
-    value: Array
-    slope: Array
-    columns: Index
-    order: Index
-    leg: Index
-    by_axis: NDArray[np.bool_]
+    cost: Array
+    residual: Array = field(default_factory=lambda: np.zeros(0))
+    slope: sparse.csr_matrix | None = None
+    kept: sparse.csr_matrix | None = None
+    soft: NDArray[np.bool_] | None = None  # (n,) of rows
+    price: float = 0.0
+    shared: bool = False
 
 
-def collect_rows(curve: Curve, columns: Columns, limits: RateLimits, used: Array, radius: float) -> Rows:
-    """Rows at Chebyshev points and the present maxima of `used` (p, m, 3), where they may come to matter."""
-    places = _places(curve.degree, used)
-    basis = make_basis(curve.degree, places.ravel()).reshape(*places.shape, 4, curve.degree + 1)
-    points = curve.control()
-    rates = derive_rates(points, basis)
-    states = np.einsum("pmko,pocv->pmkcv", basis, curve.slopes(points), optimize=True)
-    slope = np.einsum("pmxykc,pmkcv->pmxyv", rates.slope, states, optimize=True)
-    parts = limits.used(rates.value, curve.steps)
-    piece, place, k = np.nonzero(parts > min(NEAR, 1 - REACH * radius))
-    bounds = np.stack([_bound_of(limits, order) for order in ORDERS])
-    scale = bounds[k] * curve.steps[piece, None] ** (k + 1)[:, None]
-    by_axis = np.array([order in limits.bounds and limits.bounds[order].ndim > 0 for order in ORDERS])
-    return Rows(
-        rates.value[piece, place, k] / scale,
-        slope[piece, place, k] / scale[:, :, None],
-        columns.of_pieces[piece],
-        k + 1,
-        np.repeat(columns.legs, curve.pieces)[piece],
-        by_axis[k],
-    )
-
-
-def _bound_of(limits: RateLimits, order: int) -> Array:
-    return np.broadcast_to(limits.bounds.get(order, np.array(np.inf)), 3)
-
-
-def _places(degree: int, used: Array) -> Array:
-    """(p, m): Chebyshev points, and the local maxima of the largest used part on its grid."""
-    count = 2 * degree
-    fixed = (1 - np.cos(np.pi * np.arange(count + 1) / count)) / 2
-    worst = np.max(used, axis=2)
-    padded = np.pad(worst, ((0, 0), (1, 1)), constant_values=-1.0)
-    tops = (worst >= padded[:, :-2]) & (worst >= padded[:, 2:])
-    most = int(np.max(np.sum(tops, axis=1)))
-    order = np.argsort(~tops, axis=1, kind="stable")[:, :most]
-    grid = np.linspace(0.0, 1.0, used.shape[1])
-    own = np.where(np.take_along_axis(tops, order, axis=1), grid[order], 0.5)
-    return np.hstack([np.broadcast_to(fixed, (len(used), count + 1)), own])
-
-
-def solve_step(curve: Curve, columns: Columns, rows: Rows, scales: Array, radius: float) -> Array | None:
-    """The step (count,) that makes the time least; None where nothing near enough holds the rows."""
-    matrix, right, cones = _constraints(rows, columns.count, scales, curve, columns)
+def solve_step(
+    curve: Curve, columns: Columns, rows: Rows, scales: Array, radius: float, aim: Aim
+) -> Array | None:
+    """The step (count,) that does best; None where nothing near enough holds the rows."""
+    slacks = 0 if aim.soft is None else (1 if aim.shared else len(curve.duration))
+    count = columns.count + slacks
+    matrix, right, cones = _constraints(rows, columns, slacks, scales, curve, aim)
     down, up = columns.bounds(curve, radius)
-    identity = sparse.identity(columns.count, format="csc")
-    cost = np.zeros(columns.count)
-    cost[columns.legs] = scales[columns.legs] / np.mean(scales[columns.legs])
+    box = sparse.eye(columns.count, count, format="csc")
+    blocks: list[Any] = [box, -box]
+    sides = [up, down]
+    positive = 2 * columns.count
+    if slacks and not aim.shared:
+        blocks.append(-sparse.eye(slacks, count, k=columns.count, format="csc"))
+        sides.append(np.zeros(slacks))
+        positive += slacks
+    ahead: list[object] = [clarabel.NonnegativeConeT(positive)]
+    scaling = sparse.diags(np.append(scales, np.ones(slacks)))
+    if aim.kept is not None and aim.kept.shape[0]:
+        blocks.append(_widen(aim.kept, slacks) @ scaling)
+        sides.append(np.zeros(aim.kept.shape[0]))
+        ahead.append(clarabel.ZeroConeT(aim.kept.shape[0]))
+    cost = np.append(aim.cost, np.full(slacks, aim.price)) * np.append(scales, np.ones(slacks))
+    square = sparse.csc_matrix((count, count))
+    if aim.slope is not None:
+        slope = _widen(aim.slope, slacks) @ scaling
+        square = sparse.triu(slope.T @ slope, format="csc")
+        cost = cost + slope.T @ aim.residual
     settings = clarabel.DefaultSettings()
     settings.verbose = False
     settings.max_threads = 1  # last digits must not depend on how many there are
     solver = clarabel.DefaultSolver(
-        sparse.csc_matrix((columns.count, columns.count)),
+        square,
         cost,
-        sparse.vstack([identity, -identity, matrix], format="csc"),
-        np.concatenate([up, down, right]),
-        [clarabel.NonnegativeConeT(2 * columns.count), *cones],
+        sparse.vstack([*blocks, matrix], format="csc"),
+        np.concatenate([*sides, right]),
+        [*ahead, *cones],
         settings,
     )
     solution = solver.solve()
-    return np.array(solution.x) * scales if str(solution.status) in SOLVED else None
+    if str(solution.status) not in SOLVED:
+        return None
+    return np.array(solution.x)[: columns.count] * scales
+
+
+def _widen(matrix: sparse.csr_matrix, by: int) -> sparse.csr_matrix:
+    return sparse.hstack([matrix, sparse.csr_matrix((matrix.shape[0], by))], format="csr") if by else matrix
 
 
 def _constraints(
-    rows: Rows, count: int, scales: Array, curve: Curve, columns: Columns
+    rows: Rows, columns: Columns, slacks: int, scales: Array, curve: Curve, aim: Aim
 ) -> tuple[sparse.csc_matrix, Array, list[object]]:
-    """A and b of b - A x in the cones: |value + slope dx| ≤ 1 + k dh/h, or each component so."""
-    steps = np.ones(count)
-    steps[columns.legs] = curve.duration
-    room = rows.order / steps[rows.leg] * scales[rows.leg]
+    """A and b of b - A x in the cones: |value + slope dx| ≤ 1 + k dh/h + slack, or each component so."""
+    leg = columns.legs[rows.leg]
+    free = leg >= 0
+    room = np.where(free, rows.power / curve.duration[rows.leg] * scales[np.maximum(leg, 0)], 0.0)
     order = np.argsort(rows.by_axis, kind="stable")  # cones first, then components
     norms = order[~rows.by_axis[order]]
     axes = order[rows.by_axis[order]]
+
+    entries: list[Entries]
+
+    def heads(at: Index, own: Index) -> list[Entries]:
+        moved = free[own] & (rows.power[own] > 0)
+        found = [(at[moved], leg[own][moved], -room[own][moved])]
+        if aim.soft is not None:
+            soft = aim.soft[own]
+            slack = columns.count + (np.zeros(len(own), dtype=int) if aim.shared else rows.leg[own])
+            found.append((at[soft], slack[soft], -np.ones(np.count_nonzero(soft))))
+        return found
+
     first = HEAD * np.arange(len(norms))
-    entries = [(first, rows.leg[norms], -room[norms])]
+    entries = heads(first, norms)
     entries += [_spread(first + 1 + i, rows, norms, i, -1.0, scales) for i in range(3)]
     start = HEAD * len(norms)
     for i in range(3):
         for sign in (1.0, -1.0):
             own = start + np.arange(len(axes))
-            entries += [(own, rows.leg[axes], -room[axes]), _spread(own, rows, axes, i, sign, scales)]
+            entries += [*heads(own, axes), _spread(own, rows, axes, i, sign, scales)]
             start += len(axes)
     at, where, value = (np.concatenate(part) for part in zip(*entries, strict=True))
-    matrix = sparse.csc_matrix((value, (at.astype(int), where.astype(int))), shape=(start, count))
-    heads = np.concatenate([np.ones((len(norms), 1)), rows.value[norms]], axis=1).ravel()
+    shape = (start, columns.count + slacks)
+    matrix = sparse.csc_matrix((value, (at.astype(int), where.astype(int))), shape=shape)
+    tops = np.concatenate([np.ones((len(norms), 1)), rows.value[norms]], axis=1).ravel()
     sides = [1 - sign * rows.value[axes, i] for i in range(3) for sign in (1.0, -1.0)]
     cones: list[object] = [clarabel.SecondOrderConeT(HEAD)] * len(norms)
     if len(axes):
         cones.append(clarabel.NonnegativeConeT(6 * len(axes)))
-    return matrix, np.concatenate([heads, *sides]), cones
+    return matrix, np.concatenate([tops, *sides]), cones
 
 
-def _spread(
-    at: Index, rows: Rows, own: Index, axis: int, sign: float, scales: Array
-) -> tuple[Index, Index, Array]:
+def _spread(at: Index, rows: Rows, own: Index, axis: int, sign: float, scales: Array) -> Entries:
     """Entries of one component's slopes, those of fixed columns left out."""
     columns = rows.columns[own]
     free = columns >= 0

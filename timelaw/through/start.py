@@ -2,53 +2,114 @@
 
 from collections.abc import Sequence
 from itertools import pairwise
-from math import inf
 from typing import Any
 
 import numpy as np
-from scipy.interpolate import CubicSpline
+from scipy.interpolate import make_interp_spline
 
 from timelaw.numerics.array import Array
-from timelaw.numerics.quaternion import conjugate, multiply
 from timelaw.through.curve import Curve, make_curve
-from timelaw.through.rate_limits import RateLimits, find_stretch
+from timelaw.through.dual import stack
+from timelaw.through.kinematics import list_rates
+from timelaw.through.measures import Measure, find_use
 
-QUINTIC_PEAKS = (15 / 8, 10 / 3**0.5, 60.0)  # of f', f'', f''': in which time a leg would be made alone
+SPLINE_DEGREES = {2: 3, 3: 5}  # by class: the spline's is one more than what its knots' rates need
+ROUNDS, SPREAD = (
+    12,
+    0.35,
+)  # of evening out the legs: the power of what a leg uses against the one that uses most
+BLENDS = 12  # halvings of how far the start leaves the arcs
 
 
-def align_signs(quaternions: Array) -> Array:
-    """Quaternions (n, 4) with neighbours' signs alike, so that the way between them is the shorter one."""
-    signs = np.sign(np.sum(quaternions[1:] * quaternions[:-1], axis=1))
-    return np.array(
-        quaternions * np.cumprod(np.concatenate([[1.0], np.where(signs < 0, -1.0, 1.0)]))[:, None]
+def begin(
+    turn: Array,
+    rests: Sequence[int],
+    duration: Array,
+    degree: int,
+    measures: Sequence[Measure],
+    *,
+    smooth: int = 2,
+    periodic: bool = False,
+) -> Curve:
+    """A curve of one piece a leg through nodes (n, 4) of alike signs, within the limits.
+
+    At rest at both ends, unless it is `periodic`, and at the nodes `rests`; `duration` (n-1,) is about
+    what legs take.
+    """
+    if periodic:
+        rates = _read_periodic(turn, duration, smooth)
+    else:
+        rates = _read_spline(turn, duration, sorted({0, *rests, len(turn) - 1}), smooth)
+    return settle(make_curve(degree, 1, turn, rates, duration), measures)
+
+
+def settle(curve: Curve, measures: Sequence[Measure]) -> Curve:
+    """The curve as slow as it must be, its legs evened out, and no farther from its arcs than it may."""
+    curve = _hold_back(curve, measures)
+    use = find_use(curve, measures)
+    best = curve.stretched(use.worst)
+    for _ in range(ROUNDS):
+        curve = _even_out(curve, use.stretch)
+        use = find_use(curve, measures)
+        if not use.excess and curve.total * use.worst < best.total:
+            best = curve.stretched(use.worst)
+    return best
+
+
+def _even_out(curve: Curve, stretch: Array) -> Curve:
+    """Legs that use less faster, the rates of knots with them."""
+    factor = (stretch / np.max(stretch)) ** SPREAD
+    meet = np.repeat(factor, curve.pieces)
+    at = np.sqrt(np.append(meet[-1], meet) * np.append(meet, meet[0]))  # of a tour that goes round too
+    powers = np.arange(1, curve.smooth + 1)[:, None]
+    return make_curve(
+        curve.degree,
+        curve.pieces,
+        curve.turn,
+        curve.rates / at[:, None, None] ** powers,
+        curve.duration * factor,
     )
 
 
-def begin(nodes: Array, stops: Sequence[int], limits: RateLimits, degree: int) -> Curve:
-    """A curve of one piece a leg through nodes (n, 4) within the limits, at rest at both ends and `stops`."""
-    turn = align_signs(nodes)
-    angles = 2 * np.arccos(np.clip(np.sum(turn[1:] * turn[:-1], axis=1), -1.0, 1.0))
-    bounds = [float(np.min(limits.bounds.get(k, inf))) for k in (1, 2, 3)]
-    alone = [
-        (peak * angles / bound) ** (1 / k)
-        for k, (peak, bound) in enumerate(zip(QUINTIC_PEAKS, bounds, strict=True), 1)
-    ]
-    duration = np.max(alone, axis=0)
-    omega, alpha = _read_spline(turn, duration, sorted({0, *stops, len(turn) - 1}))
-    curve = make_curve(degree, 1, turn, omega, alpha, duration)
-    return curve.stretched(float(np.max(find_stretch(curve, limits))))
+def _hold_back(curve: Curve, measures: Sequence[Measure]) -> Curve:
+    """Rates at the nodes reduced until what slowness does not mend is mended: at rest it is on the arcs."""
+    low, high, held = 0.0, 1.0, curve
+    if not find_use(curve, measures).excess:
+        return curve
+    for _ in range(BLENDS):
+        part = (low + high) / 2
+        powers = part ** np.arange(1, curve.smooth + 1)[:, None]
+        tried = make_curve(curve.degree, 1, curve.turn, curve.rates * powers, curve.duration)
+        if find_use(tried, measures).excess:
+            high = part
+        else:
+            low, held = part, tried
+    return held if low else make_curve(curve.degree, 1, curve.turn, curve.rates * 0.0, curve.duration)
 
 
-def _read_spline(turn: Array, duration: Array, rests: Sequence[int]) -> tuple[Array, Array]:
-    """ω and α (n, 3) at the nodes of the cubic spline in R⁴ that is at rest where it should be."""
+def _read_spline(turn: Array, duration: Array, rests: Sequence[int], smooth: int) -> Array:
+    """Rates (n, r, 3) at the nodes of the spline in R⁴ that is at rest where it should be."""
     times = np.concatenate([[0.0], np.cumsum(duration)])
-    omega, alpha = np.zeros((2, len(turn), 3))
-    still: Any = (1, np.zeros(4))
+    degree = SPLINE_DEGREES[smooth]
+    still: Any = [(k, np.zeros(4)) for k in range(1, (degree + 1) // 2)]
+    rates = np.zeros((len(turn), smooth, 3))
     for first, last in pairwise(rests):
-        spline = CubicSpline(times[first : last + 1], turn[first : last + 1], bc_type=(still, still))
+        own = slice(first, last + 1)
+        spline = make_interp_spline(times[own], turn[own], k=degree, bc_type=(still, still))
         inner = slice(first + 1, last)
-        q, v, a = turn[inner], spline(times[inner], 1), spline(times[inner], 2)
-        omega[inner] = 2 * multiply(conjugate(q), v)[:, 1:]
-        growth = 2 * np.sum(q * v, axis=1, keepdims=True)
-        alpha[inner] = 2 * multiply(conjugate(q), a)[:, 1:] - growth * omega[inner]
-    return omega, alpha
+        states = [list(spline(times[inner], k).T) for k in range(smooth + 1)]
+        for k, vector in list_rates(states).items():
+            rates[inner, k - 1] = stack(list(vector))
+    return rates
+
+
+def _read_periodic(turn: Array, duration: Array, smooth: int) -> Array:
+    """Rates (n, r, 3) of a tour that goes round: three rounds, of which the middle one is read."""
+    legs = len(duration)
+    sign = 1.0 if float(turn[0] @ turn[-1]) > 0 else -1.0
+    round_ = turn[:-1]
+    laps = np.concatenate([round_ * sign, round_, round_ * sign, round_[:1]])
+    rates = _read_spline(laps, np.tile(duration, 3), [0, 3 * legs], smooth)
+    own = rates[legs : 2 * legs + 1]
+    own[-1] = own[0]
+    return own

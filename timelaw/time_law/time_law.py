@@ -12,6 +12,7 @@ from timelaw.easing.profile import Side, locate
 from timelaw.numerics.array import Array
 
 OPTIMISED_LAW = "optimised"  # what the law is called that the solver makes
+STOPPING_LAW = "stopping at corners"  # beside one that passes them
 
 
 class Interval(NamedTuple):

@@ -1,0 +1,73 @@
+"""Curves through the nodes as they are proved: slower by the exact factor, or a little faster."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from timelaw.certificate import Certificate, certify
+from timelaw.compose import compose_through
+from timelaw.easing import Timing
+from timelaw.limits import make_limits
+from timelaw.motion import QuaternionLaw
+from timelaw.motion.deviation import DEVIATION
+from timelaw.problem import Problem
+from timelaw.requirements import Requirements
+from timelaw.route import Route
+from timelaw.through.passage import Passage, Through
+
+ROUNDS = 4  # of stretching; one is enough but where a total momentum makes a limit not homogeneous
+ASIDE = 1e-12  # of the time: how far a law keeps from its limits
+
+
+def prove_passages(
+    problem: Problem, route: Route, requirements: Requirements, through: Through, timings: Sequence[Timing]
+) -> tuple[Through, QuaternionLaw, Certificate]:
+    """The law of all passages, each curve run through as fast as what is proved of it allows.
+
+    A curve that then is no faster than stopping, or leaves its arcs too far, is given up.
+    """
+    passages = list(through.passages)
+    name, continuity = problem.name, problem.nodes.continuity
+    for _ in range(ROUNDS):
+        law = compose_through(
+            name, route, passages, timings, requirements, continuity, problem.motion.deviation
+        )
+        certificate = certify(law)
+        factors = find_factors(certificate, law, passages)
+        if all(factor is not None and 1 - 3 * ASIDE < factor <= 1 for factor in factors):
+            break
+        passages = [
+            passage.take(None if factor is None or passage.curve is None else passage.curve.stretched(factor))
+            for passage, factor in zip(passages, factors, strict=True)
+        ]
+    return replace(through, passages=tuple(passages)), law, certificate
+
+
+def find_factors(
+    certificate: Certificate, law: QuaternionLaw, passages: Sequence[Passage]
+) -> list[float | None]:
+    """By how much each passage has to be slower, or may be faster; None where time mends nothing.
+
+    1 for passages without a curve.
+    """
+    powers = {limit.name: limit.power for limit in make_limits(_list_limits(law), law.body)}
+    of_leg = [k for k, passage in enumerate(passages) for _ in passage.legs]
+    legs = iter(of_leg)
+    of_segment = {index: next(legs) for index, segment in enumerate(law.segments) if segment.moves}
+    used = [0.0] * len(passages)
+    broken = [False] * len(passages)
+    for peak in certificate.peaks:
+        passage = of_segment[peak.index]
+        if peak.row.limit == DEVIATION:
+            broken[passage] |= peak.used > 1
+        else:
+            used[passage] = max(used[passage], peak.used ** (1 / powers[peak.row.limit]))
+    return [
+        1.0 if passage.curve is None else None if lost else part * (1 + ASIDE)
+        for passage, part, lost in zip(passages, used, broken, strict=True)
+    ]
+
+
+def _list_limits(law: QuaternionLaw) -> dict[str, float]:
+    """Every limit that is there, whatever its bounds."""
+    names = {*law.limits, *(name for segment in law.segments for name in segment.limits)} - {DEVIATION}
+    return dict.fromkeys(names, 1.0)
