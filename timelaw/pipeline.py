@@ -110,7 +110,8 @@ def design_through(layout: Layout, progress: Progress | None = None) -> Design:
         proved = prove_passages(problem, route, requirements, through, solution.timings)
     through, law, certificate = proved
     stopping = TimeLaw(STOPPING_LAW, solution.timings, requirements.dwells)
-    beside = [certify_time_law(layout, stopping, problem.nodes.continuity)]
+    shown = family.rigid and "double-s" in problem.baselines  # as a baseline
+    beside = [] if shown else [certify_time_law(layout, stopping, problem.nodes.continuity)]
     optimised = Certified(OPTIMISED_LAW, law, certificate)
     return _set_beside(layout, family, solution, optimised, beside, through)
 

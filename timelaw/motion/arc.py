@@ -139,6 +139,10 @@ class Arc(Moving):
         """None."""
         yield from ()
 
+    def list_deviations(self, bound: float = 0.0) -> Iterator[Quantity]:  # noqa: ARG002
+        """It stays on its arc."""
+        yield from ()
+
     def unit_vectors(self) -> tuple[Array, ...]:
         """Both orientations, and the axis."""
         return self.start, self.end, self.axis

@@ -102,6 +102,10 @@ class Dwell:
         """None."""
         yield from ()
 
+    def list_deviations(self, bound: float = 0.0) -> Iterator[Quantity]:  # noqa: ARG002
+        """It stays on its arc."""
+        yield from ()
+
     def unit_vectors(self) -> tuple[Array, ...]:
         """The orientation."""
         return (self.orientation,)

@@ -130,6 +130,10 @@ class Segment(Protocol):
         """What those of its own limits bound that only its kind knows."""
         ...
 
+    def list_deviations(self, bound: float = ...) -> Iterator[Quantity]:
+        """The angle [rad] of the body to the arc from `start` to `end`, part by part, where it may leave it."""
+        ...
+
     def unit_vectors(self) -> Iterable[Array]:
         """Its quaternions and axes, whose norm must be one."""
         ...

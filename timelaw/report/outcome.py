@@ -12,6 +12,7 @@ from timelaw.nlp.solution import sum_durations
 from timelaw.objectives import OBJECTIVES, Objective
 from timelaw.objectives.effort import CALM
 from timelaw.pipeline import Design
+from timelaw.report.passing_text import describe_passing
 from timelaw.report.summary import LawRow
 from timelaw.requirements.given_times import list_budgets
 from timelaw.time_law.baselines import PAPER_CONTINUITY, time_double_s, time_quintic
@@ -58,6 +59,8 @@ def measure_gain(design: Design) -> Gain | None:
 
 def describe_outcome(design: Design, rows: Sequence[LawRow]) -> list[str]:
     """The law's time or effort against the quintic and the physical limit, and what its easing costs."""
+    if design.through is not None:
+        return describe_passing(design, design.through)
     best = rows[0]
     limit = best.duration / best.to_limit
     above = "; no physical limit of it is known"

@@ -1,0 +1,63 @@
+"""What came of a motion through the nodes, in sentences: what stopping would cost, how far arcs are left."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from timelaw.certificate.farthest import find_farthest
+from timelaw.pipeline import Design
+from timelaw.through.passage import Passage, Through
+from timelaw.time_law.baselines import time_double_s, time_quintic
+
+NOTICEABLE = 1e-9  # relative; two baselines nearer than that are one
+
+
+def describe_passing(design: Design, through: Through) -> list[str]:
+    """Time against the laws that stop, what is passed, and how far the arcs are left."""
+    found = [_describe_time(design), *_describe_passages(design, through)]
+    farthest = find_farthest(design.optimised.law)
+    if farthest is not None:
+        asked = design.problem.motion.deviation
+        allowed = "" if asked is None else f"; {np.degrees(asked):g}° are allowed"
+        found.append(
+            f"It leaves the arcs by {np.degrees(farthest.angle):.3g}° of body rotation at most, on leg "
+            f"{farthest.segment} at t = {farthest.time:.4f} s{allowed}."
+        )
+    return found
+
+
+def _describe_time(design: Design) -> str:
+    law, route, requirements = design.optimised.law, design.route, design.requirements
+    every, runs = (time_double_s(route, requirements, stop=stop).duration for stop in (True, False))
+    quintic = time_quintic(requirements).duration
+    parts = [f"{law.duration / every:.4f} of the double-S that stops at every node ({every:.6g} s)"]
+    if abs(every / runs - 1) > NOTICEABLE:
+        parts.append(f"{law.duration / runs:.4f} of the double-S that stops at corners only ({runs:.6g} s)")
+    parts.append(f"{law.duration / quintic:.4f} of the paper's quintic ({quintic:.6g} s)")
+    return f"The law takes {law.duration:.6g} s: {', '.join(parts)}."
+
+
+def _describe_passages(design: Design, through: Through) -> list[str]:
+    nodes = design.route.nodes
+    between = sum(len(passage.legs) - 1 for passage in through.passages)
+    if not between:
+        return ["There is a stop at every node, so that there is none to be passed."]
+    found = []
+    if through.passed:
+        found.append(f"It passes {through.passed} of {between} nodes without a stop.")
+    slower = [passage for passage in through.passages if passage.curve is None and len(passage.legs) > 1]
+    if slower:
+        places = _name_places(slower, [node.label for node in nodes])
+        found.append(
+            f"Stopping at corners is faster {places}, or nothing else was found: the stopping law is used there."
+        )
+    return found
+
+
+def _name_places(passages: Sequence[Passage], labels: Sequence[str]) -> str:
+    """Where some passages are; the whole way without names."""
+    if len(passages) == 1 and passages[0].first == 0 and passages[0].last == len(labels) - 1:
+        return "on the whole way"
+    names = [f"from {labels[p.first]} to {labels[p.last]}" for p in passages]
+    more = f" and {len(names) - 3} more" if len(names) > 3 else ""
+    return ", ".join(names[:3]) + more
