@@ -13,6 +13,7 @@ from timelaw.numerics.quaternion import multiply, normalise, rotation_between
 from timelaw.through.columns import number_columns
 from timelaw.through.curve import Curve, make_curve
 from timelaw.through.ladder import Form, Stretch, climb
+from timelaw.through.least_time import LeastTime
 from timelaw.through.leaving import limit_deviation
 from timelaw.through.measures import find_use, list_limit_measures, sample_used
 from timelaw.through.more_pieces import split
@@ -218,7 +219,7 @@ def test_the_search_is_the_same_every_time_and_never_slower_than_its_start(tour)
     limits = make_limits(60, 120, 600)
     start = begin(nodes, [], stretch.durations, 5, limits)
     columns = number_columns(start, stretch.held)
-    first, second = (improve(start, columns, angles, limits).curve for _ in range(2))
+    first, second = (improve(start, columns, angles, LeastTime(limits)).curve for _ in range(2))
     assert isinstance(first, Curve)
     np.testing.assert_array_equal(first.control(), second.control())
     assert first.total < start.total

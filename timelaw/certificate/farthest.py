@@ -8,7 +8,7 @@ from timelaw.numerics.function import enclose_peaks
 
 @dataclass(frozen=True)
 class Farthest:
-    """An angle of the body [rad] that is reached at `time` [s] in `segment`, and one that never is exceeded."""
+    """An angle of the body [rad] that is reached at `time` [s] in `segment`, and one that never is."""
 
     angle: float
     upper: float

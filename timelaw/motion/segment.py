@@ -131,7 +131,7 @@ class Segment(Protocol):
         ...
 
     def list_deviations(self, bound: float = ...) -> Iterator[Quantity]:
-        """The angle [rad] of the body to the arc from `start` to `end`, part by part, where it may leave it."""
+        """The angle [rad] of the body to the arc from `start` to `end`, where it may leave it."""
         ...
 
     def unit_vectors(self) -> Iterable[Array]:

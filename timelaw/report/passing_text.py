@@ -49,7 +49,7 @@ def _describe_passages(design: Design, through: Through) -> list[str]:
     if slower:
         places = _name_places(slower, [node.label for node in nodes])
         found.append(
-            f"Stopping at corners is faster {places}, or nothing else was found: the stopping law is used there."
+            f"Stopping at corners is faster {places}, or nothing else was found: there the law stops."
         )
     return found
 

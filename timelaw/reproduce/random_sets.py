@@ -1,4 +1,4 @@
-"""Random sets of orientations of many kinds under random limits: problems to try a motion through nodes on."""
+"""Random sets of orientations of many kinds under random limits, to try a motion through the nodes on."""
 
 from collections.abc import Callable
 from typing import Any
@@ -73,7 +73,7 @@ def draw_problem(seed: int, number: int) -> tuple[str, dict[str, Any]]:
     kind = list(KINDS)[number % len(KINDS)]
     nodes = KINDS[kind](rng, int(rng.integers(LEAST_NODES, MOST_NODES + 1)))
     velocity = 10 ** rng.uniform(-DECADES / 2, DECADES / 2) * 10.0  # deg/s
-    ramp, onset = np.exp(rng.uniform(*np.log(RAMP), 2)) * 60.0 / velocity
+    ramp, onset = np.exp(rng.uniform(np.log(RAMP[0]), np.log(RAMP[1]), 2)) * 60.0 / velocity
     return kind, {
         "timelaw": 1,
         "name": f"set-{seed}-{number}",

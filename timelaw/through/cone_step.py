@@ -19,6 +19,14 @@ HEAD = 4  # rows of a cone: the room, and three components
 
 
 @dataclass(frozen=True)
+class Step:
+    """The change of the variables (count,), and the slacks that were needed."""
+
+    change: Array
+    slacks: Array
+
+
+@dataclass(frozen=True)
 class Aim:
     """What a step makes less: cost · x + ½ |residuals + slopes x|², and times that it keeps.
 
@@ -32,14 +40,14 @@ class Aim:
     slope: sparse.csr_matrix | None = None
     kept: sparse.csr_matrix | None = None
     soft: NDArray[np.bool_] | None = None  # (n,) of rows
-    price: float = 0.0
+    price: float | Array = 0.0
     shared: bool = False
 
 
 def solve_step(
     curve: Curve, columns: Columns, rows: Rows, scales: Array, radius: float, aim: Aim
-) -> Array | None:
-    """The step (count,) that does best; None where nothing near enough holds the rows."""
+) -> Step | None:
+    """The step that does best; None where nothing near enough holds the rows."""
     slacks = 0 if aim.soft is None else (1 if aim.shared else len(curve.duration))
     count = columns.count + slacks
     matrix, right, cones = _constraints(rows, columns, slacks, scales, curve, aim)
@@ -58,7 +66,7 @@ def solve_step(
         blocks.append(_widen(aim.kept, slacks) @ scaling)
         sides.append(np.zeros(aim.kept.shape[0]))
         ahead.append(clarabel.ZeroConeT(aim.kept.shape[0]))
-    cost = np.append(aim.cost, np.full(slacks, aim.price)) * np.append(scales, np.ones(slacks))
+    cost = np.append(aim.cost, np.broadcast_to(aim.price, slacks)) * np.append(scales, np.ones(slacks))
     square = sparse.csc_matrix((count, count))
     if aim.slope is not None:
         slope = _widen(aim.slope, slacks) @ scaling
@@ -78,7 +86,8 @@ def solve_step(
     solution = solver.solve()
     if str(solution.status) not in SOLVED:
         return None
-    return np.array(solution.x)[: columns.count] * scales
+    found = np.array(solution.x)
+    return Step(found[: columns.count] * scales, found[columns.count :])
 
 
 def _widen(matrix: sparse.csr_matrix, by: int) -> sparse.csr_matrix:

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from timelaw.numerics.array import Array
 from timelaw.through.columns import number_columns
 from timelaw.through.curve import Curve
+from timelaw.through.least_time import LeastTime
 from timelaw.through.leaving import limit_deviation
 from timelaw.through.measures import LimitMeasure, Measure, find_use
 from timelaw.through.more_pieces import split
@@ -129,7 +130,7 @@ def _search(curve: Curve, stretch: Stretch, measures: Sequence[Measure], radius:
             curve,
             number_columns(curve, stretch.held, periodic=stretch.periodic, clocks=clocks),
             stretch.angles,
-            measures,
+            LeastTime(measures),
             radius=radius,
             is_over=is_late,
         )

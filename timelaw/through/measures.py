@@ -78,6 +78,38 @@ class LimitMeasure:
         return self.limit.vector(rates, [part * h for part in turn_back(q[0], self.total)])
 
 
+@dataclass(frozen=True)
+class Scaled:
+    """Another measure under `factor` times its bounds."""
+
+    measure: Measure
+    factor: float
+
+    @property
+    def bounds(self) -> Array:
+        """Those of the other, scaled."""
+        return self.measure.bounds * self.factor
+
+    @property
+    def power(self) -> int:
+        """As of the other."""
+        return self.measure.power
+
+    @property
+    def highest(self) -> int:
+        """As of the other."""
+        return self.measure.highest
+
+    @property
+    def stretches(self) -> bool:
+        """As of the other."""
+        return self.measure.stretches
+
+    def vector(self, q: States, rates: Mapping[int, Vector], h: Any, legs: Any) -> Vector:
+        """As of the other."""
+        return self.measure.vector(q, rates, h, legs)
+
+
 def list_limit_measures(
     limits: Mapping[str, Bounds],
     own: Sequence[Mapping[str, Bounds]],
@@ -108,8 +140,10 @@ def find_highest(measures: Sequence[Measure]) -> int:
     return max([1, *(measure.highest for measure in measures)])
 
 
-def sample_used(curve: Curve, measures: Sequence[Measure], samples: int = SAMPLES) -> Array:
-    """The used parts (p, m, L) on a grid."""
+def sample_used(
+    curve: Curve, measures: Sequence[Measure], samples: int = SAMPLES, *, plain: bool = False
+) -> Array:
+    """The used parts (p, m, L) on a grid; `plain`: by their size, and not by the stretch that mends them."""
     basis = make_basis(curve.degree, np.linspace(0.0, 1.0, samples), find_highest(measures))
     states = np.einsum("mko,poc->kcpm", basis, curve.control())
     rates = list_rates(states)
@@ -123,7 +157,8 @@ def sample_used(curve: Curve, measures: Sequence[Measure], samples: int = SAMPLE
             step = steps * slower
             return find_used(measure, measure.vector(states, rates, step, legs), bounds, step)
 
-        found.append(use(np.ones(1)) if measure.stretches else _find_stretch(use, (len(steps), samples)))
+        simple = plain or measure.stretches
+        found.append(use(np.ones(1)) if simple else _find_stretch(use, (len(steps), samples)))
     return np.stack(np.broadcast_arrays(*found), axis=-1)
 
 
@@ -184,9 +219,11 @@ def find_tops(used: Array) -> tuple[Array, Array]:
     return shift, used + top
 
 
-def find_use(curve: Curve, measures: Sequence[Measure], samples: int = SAMPLES) -> Use:
-    """On a grid."""
-    _, used = find_tops(sample_used(curve, measures, samples))
+def find_use(
+    curve: Curve, measures: Sequence[Measure], samples: int = SAMPLES, *, plain: bool = False
+) -> Use:
+    """On a grid, and `plain` as in `sample_used`."""
+    _, used = find_tops(sample_used(curve, measures, samples, plain=plain))
     mends = np.array([m.power > 0 for m in measures])
     parts = [
         np.max(used[:, :, mask].reshape(len(curve.duration), -1), axis=1, initial=0.0)

@@ -8,6 +8,7 @@ import numpy as np
 from scipy.interpolate import make_interp_spline
 
 from timelaw.numerics.array import Array
+from timelaw.numerics.quaternion import multiply
 from timelaw.through.curve import Curve, make_curve
 from timelaw.through.dual import stack
 from timelaw.through.kinematics import list_rates
@@ -36,11 +37,23 @@ def begin(
     At rest at both ends, unless it is `periodic`, and at the nodes `rests`; `duration` (n-1,) is about
     what legs take.
     """
-    if periodic:
-        rates = _read_periodic(turn, duration, smooth)
-    else:
-        rates = _read_spline(turn, duration, sorted({0, *rests, len(turn) - 1}), smooth)
+    rates = read_rates(turn, duration, rests, smooth, periodic=periodic)
     return settle(make_curve(degree, 1, turn, rates, duration), measures)
+
+
+def read_rates(
+    turn: Array,
+    duration: Array,
+    rests: Sequence[int],
+    smooth: int,
+    *,
+    periodic: bool = False,
+    ends: tuple[Array | None, Array | None] = (None, None),
+) -> Array:
+    """Rates (n, r, 3) at the nodes of a spline; at its ends as given (r, 3), or rest, or going round."""
+    if periodic and not rests:
+        return _read_periodic(turn, duration, smooth)
+    return _read_spline(turn, duration, sorted({0, *rests, len(turn) - 1}), smooth, ends)
 
 
 def settle(curve: Curve, measures: Sequence[Measure]) -> Curve:
@@ -87,20 +100,39 @@ def _hold_back(curve: Curve, measures: Sequence[Measure]) -> Curve:
     return held if low else make_curve(curve.degree, 1, curve.turn, curve.rates * 0.0, curve.duration)
 
 
-def _read_spline(turn: Array, duration: Array, rests: Sequence[int], smooth: int) -> Array:
+def _read_spline(
+    turn: Array,
+    duration: Array,
+    rests: Sequence[int],
+    smooth: int,
+    ends: tuple[Array | None, Array | None] = (None, None),
+) -> Array:
     """Rates (n, r, 3) at the nodes of the spline in R⁴ that is at rest where it should be."""
     times = np.concatenate([[0.0], np.cumsum(duration)])
     degree = SPLINE_DEGREES[smooth]
-    still: Any = [(k, np.zeros(4)) for k in range(1, (degree + 1) // 2)]
     rates = np.zeros((len(turn), smooth, 3))
+    for end, given in zip((0, -1), ends, strict=True):
+        if given is not None:
+            rates[end] = given
     for first, last in pairwise(rests):
         own = slice(first, last + 1)
-        spline = make_interp_spline(times[own], turn[own], k=degree, bc_type=(still, still))
+        edges: Any = [
+            [(k, _derive(turn[end], rates[end], k)) for k in range(1, (degree + 1) // 2)]
+            for end in (first, last)
+        ]
+        spline = make_interp_spline(times[own], turn[own], k=degree, bc_type=tuple(edges))
         inner = slice(first + 1, last)
         states = [list(spline(times[inner], k).T) for k in range(smooth + 1)]
         for k, vector in list_rates(states).items():
             rates[inner, k - 1] = stack(list(vector))
     return rates
+
+
+def _derive(q: Array, rates: Array, order: int) -> Array:
+    """Q' or Q'' at a knot, of constant norm."""
+    omega, alpha = rates[:2]
+    state = np.append(0.0, omega / 2) if order == 1 else np.append(-omega @ omega / 4, alpha / 2)
+    return multiply(q, state)
 
 
 def _read_periodic(turn: Array, duration: Array, smooth: int) -> Array:

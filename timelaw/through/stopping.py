@@ -1,4 +1,4 @@
-"""The law that stops at corners, by which a motion through the nodes is measured, and which it falls back on."""
+"""The law that stops at corners: a motion through the nodes is measured by it, and falls back on it."""
 
 from timelaw.easing.family import classify_profile
 from timelaw.least_time.phase_plane import has_coupling
