@@ -2,6 +2,8 @@
 
 from collections.abc import Sequence
 
+import numpy as np
+
 from timelaw.easing import Timing
 from timelaw.motion import QuaternionLaw, Segment
 from timelaw.motion.arc import Arc
@@ -10,6 +12,7 @@ from timelaw.motion.dwell import Dwell
 from timelaw.motion.quaternion_curve import QuaternionCurve
 from timelaw.motion.rational import Rational
 from timelaw.motion.segment import MAX_ORDER
+from timelaw.numerics.array import Array
 from timelaw.requirements import Requirements
 from timelaw.route import Route
 from timelaw.through.curve import Curve
@@ -25,8 +28,13 @@ def compose_through(
     requirements: Requirements,
     continuity: int,
     deviation: float | None = None,
+    *,
+    periodic: bool = False,
 ) -> QuaternionLaw:
-    """Lay curves where passages have them, and where not the `timings` of all legs, along a route."""
+    """Lay curves where passages have them, and where not the `timings` of all legs, along a route.
+
+    One that is `periodic` goes round where it ends as it began.
+    """
     segments: list[Segment] = []
     time = 0.0
     visits = [route.legs[0].start, *(leg.end for leg in route.legs)]
@@ -53,7 +61,20 @@ def compose_through(
             duration = pieces[0].duration * curve.pieces
             segments.append(Rational(*ends, duration, leg.start, leg.end, pieces, {**limits, **bound}))
         time += duration
-    return QuaternionLaw(name, tuple(segments), requirements.limits, requirements.body, continuity)
+    before, after = (_list_rates(passages[end].curve, end) for end in (0, -1))
+    goes_round = periodic and bool(before)
+    outside = ({}, {}) if goes_round else (before, after)
+    return QuaternionLaw(
+        name, tuple(segments), requirements.limits, requirements.body, continuity, *outside, goes_round
+    )
+
+
+def _list_rates(curve: Curve | None, end: int) -> dict[int, Array]:
+    """The rates of its first (0) or last (-1) knot by order; none for rest."""
+    if curve is None or not np.any(curve.rates[end]):
+        return {}
+    known = dict(enumerate(curve.rates[end], 1))
+    return {k: known.get(k, np.zeros(3)) for k in range(1, MAX_ORDER + 1)}
 
 
 def _cut_curve(curve: Curve, leg: int) -> tuple[QuaternionCurve, ...]:

@@ -1,27 +1,29 @@
 """The whole program in one function: from a problem file to a certified law beside its baselines."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from timelaw.certificate import Certificate, certify
 from timelaw.certificate.geometry_check import RESOLVED
 from timelaw.compose import compose_law
 from timelaw.easing.family import Family
-from timelaw.errors import Fault, InputError
+from timelaw.errors import Fault, InfeasibleError, InputError
 from timelaw.motion import QuaternionLaw
 from timelaw.nlp import Timings, optimise
 from timelaw.nlp.solution import sum_durations
 from timelaw.numerics.threads import on_one_thread
 from timelaw.orientations import OrientationSet, read_orientations
 from timelaw.problem import Problem, Source, load_problem
+from timelaw.problem.objective import TotalTime
 from timelaw.progress import Progress
-from timelaw.proved_passages import prove_passages
+from timelaw.proved_passages import prove_given, prove_passages
 from timelaw.requirements import Requirements, resolve_requirements
 from timelaw.requirements.given_times import list_budgets
 from timelaw.route import Route, lay_route
+from timelaw.through.given_route import is_given, resolve_given
 from timelaw.through.passage import Through, find_passages
-from timelaw.through.stopping import choose_stopping
+from timelaw.through.stopping import choose_stopping, relax
 from timelaw.time_law import BASELINES, TimeLaw
 from timelaw.time_law.time_law import OPTIMISED_LAW, STOPPING_LAW
 from timelaw.tours import Tour, find_tour
@@ -105,15 +107,55 @@ def design_through(layout: Layout, progress: Progress | None = None) -> Design:
     """
     problem, route, requirements = layout.problem, layout.route, layout.requirements
     with layout.source.placed(), on_one_thread():
-        family, solution = optimise(choose_stopping(problem, requirements), route, requirements, progress)
-        through = find_passages(problem, route, requirements, solution.timings, progress)
-        proved = prove_passages(problem, route, requirements, through, solution.timings)
+        if is_given(problem, requirements):
+            family, solution, kept, proved = _design_given(layout, progress)
+        else:
+            kept, stopping = requirements, choose_stopping(problem, requirements)
+            family, solution = optimise(stopping, route, requirements, progress)
+            through = find_passages(problem, route, requirements, solution.timings, progress)
+            proved = prove_passages(problem, route, requirements, through, solution.timings)
     through, law, certificate = proved
-    stopping = TimeLaw(STOPPING_LAW, solution.timings, requirements.dwells)
+    stops = TimeLaw(STOPPING_LAW, solution.timings, requirements.dwells)
     shown = family.rigid and "double-s" in problem.baselines  # as a baseline
-    beside = [] if shown else [certify_time_law(layout, stopping, problem.nodes.continuity)]
+    beside = [] if shown else [certify_time_law(replace(layout, requirements=kept), stops)]
     optimised = Certified(OPTIMISED_LAW, law, certificate)
     return _set_beside(layout, family, solution, optimised, beside, through)
+
+
+def _design_given(
+    layout: Layout, progress: Progress | None
+) -> tuple[Family, Timings, Requirements, tuple[Through, QuaternionLaw, Certificate]]:
+    """The law that stops, which keeps what is given if one does, and the law that passes the nodes."""
+    problem, route, requirements = layout.problem, layout.route, layout.requirements
+    ends = (problem.nodes.moving_start, problem.nodes.end)
+    aslant = any(rates is not None and rates.in_body_axes for rates in ends)
+    free, relaxed = relax(problem, requirements)
+    kept, goal = requirements, problem.objective
+    asked = problem
+    try:
+        if aslant:
+            raise InfeasibleError(Fault("along an arc the body turns about its axis only"))
+        if goal.total_time is not None and goal.total_time.relative:
+            asked = _resolve_total_time(layout, free, relaxed)
+        family, solution = optimise(asked, route, requirements, progress)
+    except InfeasibleError:  # what stops cannot; what passes the nodes may
+        kept = relaxed
+        family, solution = optimise(choose_stopping(free, relaxed), route, relaxed, progress)
+    given = resolve_given(asked, route, requirements, solution.timings)
+    own = solution.timings if kept is requirements else None
+    time = sum_durations(solution.timings)
+    proved = prove_given(asked, route, requirements, given, own, time, progress)
+    return family, solution, kept, proved
+
+
+def _resolve_total_time(layout: Layout, free: Problem, relaxed: Requirements) -> Problem:
+    """The problem with the total time in seconds that it gives as a multiple of the least one."""
+    _, least = optimise(choose_stopping(free, relaxed), layout.route, relaxed)
+    given = resolve_given(layout.problem, layout.route, layout.requirements, least.timings)
+    legs = given.given.budgets[-1][1]
+    total = TotalTime(legs + layout.requirements.dwell_time)
+    goal = layout.problem.objective.model_copy(update={"total_time": total})
+    return layout.problem.model_copy(update={"objective": goal})
 
 
 def _set_beside(
@@ -129,7 +171,10 @@ def _set_beside(
     with layout.source.placed():
         _refuse_unresolved(optimised)
     given = problem.objective.total_time is not None
-    budgets = list_budgets(layout.requirements, sum_durations(solution.timings) if given else None)
+    moving = sum_durations(solution.timings)
+    if through is not None:
+        moving = optimised.law.duration - layout.requirements.dwell_time
+    budgets = list_budgets(layout.requirements, moving if given else None)
     baselines = [
         certify_time_law(layout, baseline)
         for name in problem.baselines

@@ -4,17 +4,24 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from timelaw.certificate import Certificate, certify
-from timelaw.compose import compose_through
+from timelaw.compose import compose_law, compose_through
 from timelaw.easing import Timing
+from timelaw.errors import Fault, InfeasibleError
 from timelaw.limits import make_limits
 from timelaw.motion import QuaternionLaw
 from timelaw.motion.deviation import DEVIATION
 from timelaw.problem import Problem
+from timelaw.progress import Progress
 from timelaw.requirements import Requirements
 from timelaw.route import Route
+from timelaw.through.given import MARGIN
+from timelaw.through.given_route import GivenRoute, decide, describe_lack, find_given_passage, find_place
 from timelaw.through.passage import Passage, Through
+from timelaw.time_law import TimeLaw
+from timelaw.time_law.time_law import OPTIMISED_LAW
 
 ROUNDS = 4  # of stretching; one is enough but where a total momentum makes a limit not homogeneous
+MARGINS = (MARGIN, 10 * MARGIN)  # of the limits, by which the search keeps from them
 ASIDE = 1e-12  # of the time: how far a law keeps from its limits
 
 
@@ -29,7 +36,14 @@ def prove_passages(
     name, continuity = problem.name, problem.nodes.continuity
     for _ in range(ROUNDS):
         law = compose_through(
-            name, route, passages, timings, requirements, continuity, problem.motion.deviation
+            name,
+            route,
+            passages,
+            timings,
+            requirements,
+            continuity,
+            problem.motion.deviation,
+            periodic=problem.nodes.periodic,
         )
         certificate = certify(law)
         factors = find_factors(certificate, law, passages)
@@ -71,3 +85,55 @@ def _list_limits(law: QuaternionLaw) -> dict[str, float]:
     """Every limit that is there, whatever its bounds."""
     names = {*law.limits, *(name for segment in law.segments for name in segment.limits)} - {DEVIATION}
     return dict.fromkeys(names, 1.0)
+
+
+def prove_given(
+    problem: Problem,
+    route: Route,
+    requirements: Requirements,
+    given: GivenRoute,
+    timings: Sequence[Timing] | None,
+    time: float,
+    progress: Progress | None = None,
+) -> tuple[Through, QuaternionLaw, Certificate]:
+    """The law that keeps what is given: a curve, or the `timings` of one that stops, where that is better.
+
+    `time` [s] is what a law takes that stops. A curve that is not proved is searched again farther from the
+    limits.
+
+    Raises:
+        InfeasibleError: there is no law that keeps it.
+    """
+
+    def tell(rung: int, rungs: int) -> None:
+        if progress is not None:
+            progress("passing the nodes", rung, rungs)
+
+    for margin in MARGINS:
+        passage = find_given_passage(given, time, tell, margin)
+        through = decide(problem, requirements, given, passage, timings)
+        if through.passages[0].curve is None:
+            break
+        law = compose_through(
+            problem.name,
+            route,
+            through.passages,
+            (),
+            requirements,
+            problem.nodes.continuity,
+            problem.motion.deviation,
+            periodic=problem.nodes.periodic,
+        )
+        certificate = certify(law)
+        if certificate.limits_hold or margin == MARGINS[-1]:
+            return through, law, certificate
+    if timings is None:
+        raise InfeasibleError(Fault(describe_lack(passage), find_place(problem, requirements, route)))
+    law = compose_law(
+        problem.name,
+        route,
+        TimeLaw(OPTIMISED_LAW, tuple(timings), requirements.dwells),
+        requirements,
+        problem.nodes.continuity,
+    )
+    return through, law, certify(law)

@@ -99,8 +99,8 @@ def _largest_inside(segments: Sequence[Segment], order: int, scales: Sequence[Ju
 def _node(law: QuaternionLaw, index: int, scales: Mapping[int, Sequence[JumpScale]]) -> NodeReport:
     last = law.segments[index - 1] if index else None
     following = law.segments[index] if index < len(law.segments) else None
-    before = {k: last.side(k, -1) if last else law.before.get(k, np.zeros(3)) for k in RATES}
-    after = {k: following.side(k, 0) if following else law.after.get(k, np.zeros(3)) for k in RATES}
+    before = {k: last.side(k, -1) if last else law.outside(k, 0) for k in RATES}
+    after = {k: following.side(k, 0) if following else law.outside(k, -1) for k in RATES}
     jumps = {k: after[k] - before[k] for k in RATES}
     sides = {k: scales[k][max(index - 1, 0) : index + 1] for k in RATES}
     parts = {k: float(min(scale.relate(jumps[k]) for scale in sides[k])) for k in RATES}

@@ -88,4 +88,8 @@ def _miss_nodes(law: QuaternionLaw) -> Iterator[tuple[str, float]]:
             yield f"node {label}", missed + apart + segment.start_error() + NODE_ROUNDING
             missed, there, apart = segment.end_error(), segment.end, 0.0
         label = segment.target
-    yield f"node {label}", missed + apart + NODE_ROUNDING
+    round_ = 0.0
+    if law.periodic:
+        first = law.segments[0].start
+        round_ = min(rotation_between(there, first), rotation_between(-there, first))
+    yield f"node {label}", missed + apart + round_ + NODE_ROUNDING

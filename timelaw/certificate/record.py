@@ -15,7 +15,18 @@ DURATION_TOLERANCE = 1e-12  # relative; a sum of rounded numbers
 NOISE = 1e-12  # of a limit, or of the largest rate of its order; below it a number is rounding alone
 OPTIONAL = ("legs", "continuity_inside_segments")  # not in the contract
 TURN_TOLERANCE = 1e-9  # rad; of the turn of the axis at a node
-MOTION = ("format", "version", "name", "conventions", "limits", "continuity", "body", "outside", "segments")
+MOTION = (
+    "format",
+    "version",
+    "name",
+    "conventions",
+    "limits",
+    "continuity",
+    "body",
+    "outside",
+    "periodic",
+    "segments",
+)
 WITNESSES = (  # of equal peaks another machine may name another one first; the rest is rounding itself
     "certificate.limits.time",
     "certificate.limits.segment",

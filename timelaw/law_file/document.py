@@ -44,6 +44,8 @@ def to_document(law: QuaternionLaw) -> dict[str, Any]:
         document["outside"] = {
             side: {RATES[k]: rate.tolist() for k, rate in rates.items()} for side, rates in sides.items()
         }
+    if law.periodic:
+        document["periodic"] = True
     document["segments"] = [segment.document() for segment in law.segments]
     return document
 
@@ -79,7 +81,11 @@ def from_document(document: Any, path: str = "") -> QuaternionLaw:
         {k: np.array(getattr(rates, name), dtype=float) for k, name in RATES.items()} if rates else {}
         for rates in outside
     )
-    return QuaternionLaw(read.name, segments, read_bounds(read.limits), body, read.continuity, before, after)
+    if read.periodic and read.outside:
+        raise InputError(Fault('a motion that goes round has no "outside"', "periodic", path))
+    return QuaternionLaw(
+        read.name, segments, read_bounds(read.limits), body, read.continuity, before, after, read.periodic
+    )
 
 
 def _write_body(body: RigidBody) -> dict[str, Any]:

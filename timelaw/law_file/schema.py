@@ -71,6 +71,7 @@ class LawDocument(Part):
     continuity: Annotated[int, Field(ge=0, le=4)] = 0
     body: BodyDocument | None = None
     outside: OutsideDocument | None = None
+    periodic: bool = False
     segments: Annotated[
         list[Annotated[SegmentDocument, Field(discriminator="kind")]], Field(min_length=1), FailFast()
     ]

@@ -23,7 +23,8 @@ class QuaternionLaw:
 
     `limits` are the bounds the law is made for, in SI, the `body` is there where they need it,
     `continuity` k is the class C^k that was asked for. `before` and `after` are the rates (3,) by
-    order with which the motion is entered and left; an order that is not there is zero.
+    order with which the motion is entered and left; an order that is not there is zero. One that is
+    `periodic` goes round: what comes before it is its own end, and what comes after it its start.
     """
 
     name: str
@@ -33,6 +34,7 @@ class QuaternionLaw:
     continuity: int = 0
     before: Mapping[int, Array] = field(default_factory=dict)
     after: Mapping[int, Array] = field(default_factory=dict)
+    periodic: bool = False
 
     @cached_property
     def times(self) -> Array:
@@ -94,6 +96,12 @@ class QuaternionLaw:
         inner = [Ball(0.0), *map(Ball, self.body.momentum.tolist())]
         back = [turn[0], *(-part for part in turn[1:])]
         return product(product(turn, inner), back)[1:]
+
+    def outside(self, order: int, end: int) -> Array:
+        """The k-th rate (3,) before its start (0) or after its end (-1)."""
+        if self.periodic:
+            return self.segments[-1 if end == 0 else 0].side(order, -1 if end == 0 else 0)
+        return (self.before if end == 0 else self.after).get(order, np.zeros(3))
 
     def quantities(self, segment: Segment) -> Iterator[tuple[str, Quantity]]:
         """What is limited on a segment, each with a label that names a limit of that segment alone so."""

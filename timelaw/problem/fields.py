@@ -145,6 +145,19 @@ def bounds(kind: Kind) -> Reader:
     return Reader(check, kind)
 
 
+def about_axis_or_body(kind: Kind, least: float) -> Reader:
+    """For a field that holds a rate about an axis that is known, or a list of three in body axes."""
+
+    def check(value: Any) -> Any:
+        if not isinstance(value, list):
+            return read_quantity(value, kind, least)
+        if len(value) != 3:
+            raise fault(f"{len(value)} values; one about the leg's axis or three in body axes are needed")
+        return tuple(0.0 if v == 0 else read_quantity(v, kind, -MOST) for v in value)
+
+    return Reader(check, kind)
+
+
 def as_tuple(value: Any) -> Any:
     """A YAML list as the tuple a frozen model holds."""
     return tuple(value) if isinstance(value, list) else value

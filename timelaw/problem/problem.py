@@ -92,7 +92,7 @@ class Problem(Model):
         times = any(rule.time is not None for rule in self.nodes.at.values())
         durations = any(rule.duration is not None for rule in self.segments.values())
         apart = OBJECTIVES[self.objective.minimise].separable
-        if not apart or times or durations or self.nodes.start or self.nodes.end:
+        if not apart or times or durations or self.nodes.moving_start or self.nodes.end:
             raise fault(
                 "a double-s has the least time from rest to rest; it keeps no given times", "easing", "basis"
             )
@@ -128,7 +128,7 @@ class Problem(Model):
 
     @model_validator(mode="after")
     def _end_rates_are_continuous(self) -> Self:
-        for name, rates in (("start", self.nodes.start), ("end", self.nodes.end)):
+        for name, rates in (("start", self.nodes.moving_start), ("end", self.nodes.end)):
             for order, key in ((2, "acceleration"), (3, "jerk")):
                 if rates and getattr(rates, key) and order > self.nodes.continuity:
                     message = f"the {key} jumps with continuity {self.nodes.continuity}; ask for {order}"
@@ -170,7 +170,10 @@ class Problem(Model):
     @model_validator(mode="after")
     def _motion_carries_continuity(self) -> Self:
         if not self.motion.through:
+            self._go_along_arcs()
             return self
+        if self.nodes.periodic and not self.route.closed:
+            raise fault("only a closed tour goes round; add closed: true to the route", "nodes", "start")
         r, (degree, _) = self.nodes.continuity, self.motion.chosen
         if r not in LEAST_DEGREES:
             reason = "the states of nodes are ω, α and jerk, whose derivative jumps"
@@ -179,6 +182,18 @@ class Problem(Model):
             least = LEAST_DEGREES[r]
             raise fault(f"{degree}; continuity {r} at the nodes needs {least} or more", "motion", "degree")
         return self
+
+    def _go_along_arcs(self) -> None:
+        """Refuse what only a motion through the nodes can do."""
+        if self.nodes.periodic:
+            message = "along the arcs the body stops where the axis turns; motion: through goes round"
+            raise fault(message, "nodes", "start")
+        for name, rates in (("start", self.nodes.start), ("end", self.nodes.end)):
+            if rates and rates.in_body_axes:
+                message = (
+                    "along the arcs a rate is about the axis of its leg; motion: through takes body axes"
+                )
+                raise fault(message, "nodes", name, rates.in_body_axes[0])
 
     def rigid_body(self) -> RigidBody | None:
         """The body, if given."""

@@ -47,8 +47,13 @@ def measure_gain(design: Design) -> Gain | None:
         return None
     objective = CALM if objective.separable else objective  # where the end is given, a calm law is chosen
     requirements, timings = design.requirements, design.solution.timings
-    quintic = time_quintic(requirements, list_budgets(requirements, sum_durations(timings))).timings
-    value = objective.measure(requirements.demands, timings)
+    moving, value = sum_durations(timings), objective.measure(requirements.demands, timings)
+    if design.through is not None:
+        if design.through.spent is None:
+            return None
+        moving = design.optimised.law.duration - requirements.dwell_time
+        value = design.through.spent
+    quintic = time_quintic(requirements, list_budgets(requirements, moving)).timings
     if any(run.moving for run in requirements.by_run(design.route)):
         return Gain(objective, value, None, False, bool(requirements.arrivals))
     smooth = objective.continuity <= PAPER_CONTINUITY

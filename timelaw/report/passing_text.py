@@ -5,6 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from timelaw.certificate.farthest import find_farthest
+from timelaw.objectives import OBJECTIVES
 from timelaw.pipeline import Design
 from timelaw.through.passage import Passage, Through
 from timelaw.time_law.baselines import time_double_s, time_quintic
@@ -14,7 +15,7 @@ NOTICEABLE = 1e-9  # relative; two baselines nearer than that are one
 
 def describe_passing(design: Design, through: Through) -> list[str]:
     """Time against the laws that stop, what is passed, and how far the arcs are left."""
-    found = [_describe_time(design), *_describe_passages(design, through)]
+    found = [_describe_time(design), *_describe_effort(design, through), *_describe_passages(design, through)]
     farthest = find_farthest(design.optimised.law)
     if farthest is not None:
         asked = design.problem.motion.deviation
@@ -35,6 +36,20 @@ def _describe_time(design: Design) -> str:
         parts.append(f"{law.duration / runs:.4f} of the double-S that stops at corners only ({runs:.6g} s)")
     parts.append(f"{law.duration / quintic:.4f} of the paper's quintic ({quintic:.6g} s)")
     return f"The law takes {law.duration:.6g} s: {', '.join(parts)}."
+
+
+def _describe_effort(design: Design, through: Through) -> list[str]:
+    """What was made less, beside that of the law that stops."""
+    if through.spent is None:
+        return []
+    objective = OBJECTIVES[design.problem.objective.minimise]
+    unit = f" {objective.unit}" if objective.unit else ""
+    found = f"Its {objective.symbol} is {through.spent:.5g}{unit}"
+    if through.stopping_spent is None:
+        return [f"{found}; no law that stops at corners keeps what is given."]
+    part = 1 - through.spent / through.stopping_spent
+    less = "less" if part >= 0 else "more"
+    return [f"{found}, {abs(100 * part):.1f} % {less} than that of the law that stops at corners."]
 
 
 def _describe_passages(design: Design, through: Through) -> list[str]:

@@ -9,7 +9,7 @@ from timelaw.limits import Bounds, Demand, drop_implied, list_rows, make_limits
 from timelaw.limits.body import RigidBody
 from timelaw.limits.torque import make_torque_row
 from timelaw.problem import Problem
-from timelaw.problem.nodes import NodeRule, SegmentRule
+from timelaw.problem.nodes import EndRates, NodeRule, SegmentRule
 from timelaw.problem.route import SEARCHED
 from timelaw.requirements.arrivals import check_arrivals
 from timelaw.requirements.end_rates import check_end_rates, ease_end_rates
@@ -89,8 +89,8 @@ def resolve_requirements(problem: Problem, route: Route) -> Requirements:
     stops = {i for i, rule in rules.items() if rule.stop} | {i for i, d in enumerate(dwells) if d > 0}
     arrivals: dict[int, float] = {i: rule.time for i, rule in rules.items() if rule.time is not None}
     check_arrivals(route, arrivals, dwells, problem.objective.total_time)
-    start = problem.nodes.start.rates(problem.nodes.continuity) if problem.nodes.start else ()
-    end = problem.nodes.end.rates(problem.nodes.continuity) if problem.nodes.end else ()
+    ends = problem.nodes.moving_start, problem.nodes.end
+    start, end = (_rates_about_legs(problem, given) for given in ends)
     check_end_rates("start", start, demands[0])
     check_end_rates("end", end, demands[-1])
     return Requirements(
@@ -104,6 +104,13 @@ def resolve_requirements(problem: Problem, route: Route) -> Requirements:
         own,
         body,
     )
+
+
+def _rates_about_legs(problem: Problem, given: EndRates | None) -> tuple[float, ...]:
+    """Rates about the axis of the leg at an end; none where they are given in body axes."""
+    if given is None or given.in_body_axes:
+        return ()
+    return tuple(float(rate) for rate in given.rates(problem.nodes.continuity) if not isinstance(rate, tuple))
 
 
 def _check_profile(problem: Problem, route: Route, demands: Sequence[Demand]) -> None:
@@ -201,7 +208,7 @@ def _dwells(problem: Problem, route: Route, rules: Mapping[int, NodeRule]) -> tu
     The return of a closed tour to its first node is no second visit.
     """
     last = len(route.nodes) - 1
-    moving = {0: problem.nodes.start, last: problem.nodes.end}
+    moving = {0: problem.nodes.moving_start, last: problem.nodes.end}
     closed = problem.route.closed
     dwells = []
     for index, node in enumerate(route.nodes):

@@ -17,7 +17,7 @@ from timelaw.through.effort import list_residuals
 from timelaw.through.given_times import GivenTimes, Goal
 from timelaw.through.ladder import ENOUGH, SPLIT_RADIUS, Form, Rung, Stretch
 from timelaw.through.leaving import limit_deviation
-from timelaw.through.measures import SAMPLES, LimitMeasure, Measure, Scaled, find_use
+from timelaw.through.measures import SAMPLES, LimitMeasure, Measure, Scaled, find_use, sample_used
 from timelaw.through.more_pieces import split
 from timelaw.through.search import Found, improve
 from timelaw.through.start import read_rates
@@ -60,10 +60,11 @@ def climb_given(
 
     `first` is a curve that keeps the given times already. `margin` is how far the search keeps from limits.
     """
-    held = [Scaled(m, 1 - margin * max(m.power, 1)) for m in measures]
+    limits = list(measures)
     if form.deviation is not None:
-        held.append(Scaled(limit_deviation(stretch.turn, form.deviation), 1.0))
+        limits.append(limit_deviation(stretch.turn, form.deviation))
     curve = first or begin_given(stretch, form, given)
+    held = [Scaled(m, _tighten(m, curve, given, margin)) for m in limits]
     if given.scales is None:
         columns = number_columns(curve, stretch.held)
         given = replace(given, scales=(curve.total, measure_effort(curve, columns, given.vector)))
@@ -75,7 +76,7 @@ def climb_given(
             break
         if curve.pieces != pieces:
             curve = split(curve, pieces)
-        found, reached = _search_given(curve, stretch, held, given, margin)
+        found, reached = _search_given(curve, stretch, limits, held, given)
         told.append(Rung(degree, pieces, found.curve.total if found.curve else 0.0, found.steps, found.rows))
         gain = 1.0 if best is None else (value - reached) / abs(value)
         if found.curve is not None and reached < value:
@@ -84,6 +85,16 @@ def climb_given(
             break
         curve = found.curve or found.last
     return best, told
+
+
+def _tighten(measure: Measure, curve: Curve, given: Given, margin: float) -> Array:
+    """The factor (K, 1) of its bounds; next to none on a leg that begins or ends at the limit itself."""
+    factors = np.full((len(curve.duration), 1), 1 - margin * max(measure.power, 1))
+    used = sample_used(curve, [measure], 2, plain=True)
+    for rates, leg, place in ((given.start, 0, 0), (given.end, -1, -1)):
+        if rates is not None and used[leg, place, 0] > 1 - 2 * margin:
+            factors[leg] = 1.0
+    return factors
 
 
 def begin_given(stretch: Stretch, form: Form, given: Given) -> Curve:
@@ -120,7 +131,11 @@ def fit_durations(
 
 
 def _search_given(
-    curve: Curve, stretch: Stretch, measures: Sequence[Measure], given: Given, margin: float
+    curve: Curve,
+    stretch: Stretch,
+    limits: Sequence[Measure],
+    measures: Sequence[Measure],
+    given: Given,
 ) -> tuple[Found, float]:
     """The curve that is best for the goal, and how good; first one that holds the limits at all."""
     columns = number_columns(curve, stretch.held, periodic=stretch.periodic, fixed=tuple(given.fixed))
@@ -131,14 +146,14 @@ def _search_given(
     steps, radius = 0, SPLIT_RADIUS
     use = find_use(curve, measures, plain=True)
     if use.worst > 1 or use.excess or given.peak:
-        plan = GivenTimes(replace(goal, peak=True), measures, columns, margin=margin)
+        plan = GivenTimes(replace(goal, peak=True), limits, measures, columns)
         found = improve(curve, columns, stretch.angles, plan, radius=radius, is_over=is_late)
         steps, curve = found.steps, found.curve or found.last
         if given.peak or found.curve is None:
             value = plan.look(curve, SAMPLES).merit if found.curve is not None else inf
             return found, value
     for price in PRICES:
-        plan = GivenTimes(goal, measures, columns, price, margin)
+        plan = GivenTimes(goal, limits, measures, columns, price)
         found = improve(curve, columns, stretch.angles, plan, radius=radius, is_over=is_late)
         if found.curve is not None:
             break

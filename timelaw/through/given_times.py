@@ -20,7 +20,8 @@ from timelaw.through.rows import Rows
 from timelaw.through.search import Look
 
 PRICE = 3.0  # of breaking the limits on all legs, in the objective of the start
-WITHIN = 0.9  # of the margin to the true limits: how far beyond the search's bounds a curve may be
+NEARLY = 1.01  # of the search's bounds: what is farther beyond them breaks the limits too
+FINE = 121  # samples, at which limits must hold
 SAMPLES_OF_PEAK = 61
 MOST_OVER = 2.0  # a step may break limits by so much more than they are broken already
 
@@ -42,13 +43,13 @@ class Goal:
 
 @dataclass(frozen=True)
 class GivenTimes:
-    """The goal under limits; `columns` are those of the search."""
+    """The goal under `limits`, of which the search sees tighter `measures`; `columns` are the search's."""
 
     goal: Goal
+    limits: Sequence[Measure]
     measures: Sequence[Measure]
     columns: Columns
     price: float = PRICE
-    margin: float = 1e-4
 
     def _prices(self, curve: Curve) -> Array:
         """Of each leg (K,)."""
@@ -130,7 +131,7 @@ class GivenTimes:
 
     def keep(self, best: Curve | None, curve: Curve, look: Look) -> Curve | None:
         """The better of two that hold the limits."""
-        if look.use.worst > 1 + WITHIN * self.margin or look.use.excess:
+        if look.use.worst > NEARLY or find_use(curve, self.limits, FINE, plain=True).broken:
             return best
         value = self._peak if self.goal.peak else None
         if best is None:

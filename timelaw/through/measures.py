@@ -77,13 +77,23 @@ class LimitMeasure:
             return self.limit.vector(rates, ZERO)
         return self.limit.vector(rates, [part * h for part in turn_back(q[0], self.total)])
 
+    def use_rates(self, q: Array, rates: Array, leg: int) -> float:
+        """The part of its bound on a leg that rates (r, 3) at an orientation use; 0 if they do not say it."""
+        if self.highest > len(rates):
+            return 0.0
+        total = turn_back(list(q), self.total) if any(self.total) else ZERO
+        vector = np.array(self.limit.vector(dict(enumerate(rates, 1)), total), dtype=float)
+        bounds = self.bounds[leg]
+        size = np.max(np.abs(vector) / bounds) if len(bounds) == 3 else np.linalg.norm(vector) / bounds[0]
+        return float(size)
+
 
 @dataclass(frozen=True)
 class Scaled:
-    """Another measure under `factor` times its bounds."""
+    """Another measure under `factor` times its bounds, for all legs or each (K, 1)."""
 
     measure: Measure
-    factor: float
+    factor: float | Array
 
     @property
     def bounds(self) -> Array:
@@ -195,6 +205,11 @@ class Use:
     def worst(self) -> float:
         """The largest stretch that is needed."""
         return float(np.max(self.stretch))
+
+    @property
+    def broken(self) -> bool:
+        """Whether anything is beyond its bound."""
+        return self.worst > 1 or bool(np.max(self.fixed) > 1)
 
     @property
     def excess(self) -> float:

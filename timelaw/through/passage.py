@@ -7,6 +7,8 @@ from itertools import pairwise
 import numpy as np
 
 from timelaw.easing import Timing
+from timelaw.errors import Fault, InputError
+from timelaw.limits.formula import Vector
 from timelaw.numerics.array import Array
 from timelaw.numerics.quaternion import conjugate, multiply
 from timelaw.problem import Problem
@@ -15,7 +17,7 @@ from timelaw.requirements import Requirements
 from timelaw.route import Route
 from timelaw.through.curve import Curve
 from timelaw.through.ladder import Form, Rung, Stretch, climb
-from timelaw.through.measures import list_limit_measures
+from timelaw.through.measures import LimitMeasure, list_limit_measures
 from timelaw.time_limit import is_late
 
 
@@ -50,10 +52,16 @@ class Passage:
 
 @dataclass(frozen=True)
 class Through:
-    """All passages of a route, and whether the time limit ended the search."""
+    """All passages of a route, and whether the time limit ended the search.
+
+    Where an effort or a peak is made least, `spent` is that of the law, `stopping_spent` that of the one that
+    stops, if there is one.
+    """
 
     passages: tuple[Passage, ...]
     stopped_early: bool = False
+    spent: float | None = None
+    stopping_spent: float | None = None
 
     @property
     def passed(self) -> int:
@@ -69,17 +77,19 @@ def find_passages(
     progress: Progress | None = None,
 ) -> Through:
     """For each passage the fastest curve that was found, if it is faster than stopping as `timings` do."""
-    degree, pieces = problem.motion.chosen
-    form = Form(max(problem.nodes.continuity, 2), degree, pieces, problem.motion.deviation)
+    form = read_form(problem)
     total = find_total_momentum(route, requirements)
-    cuts = [0, *sorted(k for k in requirements.stops if 0 < k < len(route.legs)), len(route.legs)]
+    rests = sorted(k for k in requirements.stops if 0 < k < len(route.legs))
+    round_ = problem.nodes.periodic
+    cuts = [0, len(route.legs)] if round_ else [0, *rests, len(route.legs)]
     done = []
     for first, last in pairwise(cuts):
         passage = Passage(first, last, sum(timing.duration for timing in timings[first:last]))
         if last - first > 1 and not is_late():
             stretch = lay_stretch(route, timings, passage.legs)
-            own = [requirements.leg_limits.get(k, {}) for k in passage.legs]
-            measures = list_limit_measures(requirements.limits, own, requirements.body, total)
+            if round_:
+                stretch = replace(stretch, rests=tuple(rests), periodic=True)
+            measures = list_measures(route, requirements, passage.legs, total)
 
             def tell(rung: int, rungs: int, done: int = first) -> None:
                 if progress is not None:
@@ -91,12 +101,27 @@ def find_passages(
     return Through(tuple(done), is_late())
 
 
+def read_form(problem: Problem) -> Form:
+    """The form of the curves that a problem asks for."""
+    degree, pieces = problem.motion.chosen
+    return Form(max(problem.nodes.continuity, 2), degree, pieces, problem.motion.deviation)
+
+
 def lay_stretch(route: Route, timings: Sequence[Timing], legs: range) -> Stretch:
     """What the search needs of some legs that follow each other."""
     own = [route.legs[k] for k in legs]
     turn = np.vstack([own[0].start, *(leg.end for leg in own)])
     durations = np.array([timings[k].duration for k in legs])
     return Stretch(turn, route.angles[legs.start : legs.stop], durations)
+
+
+def list_measures(route: Route, requirements: Requirements, legs: range, total: Vector) -> list[LimitMeasure]:
+    """The limits on some legs; `total` is H in world axes."""
+    own = [requirements.leg_limits.get(k, {}) for k in legs]
+    found = list_limit_measures(requirements.limits, own, requirements.body, total)
+    if not found:
+        raise InputError(Fault(f"no limit bounds the motion of leg {route.legs[legs.start].name}", "limits"))
+    return found
 
 
 def find_total_momentum(route: Route, requirements: Requirements) -> list[float]:

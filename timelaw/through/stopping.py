@@ -1,10 +1,20 @@
 """The law that stops at corners: a motion through the nodes is measured by it, and falls back on it."""
 
+from dataclasses import replace
+
 from timelaw.easing.family import classify_profile
 from timelaw.least_time.phase_plane import has_coupling
 from timelaw.problem import Problem
+from timelaw.problem.objective import Goal
 from timelaw.problem.problem import EasingModel
 from timelaw.requirements import Requirements
+
+
+def relax(problem: Problem, requirements: Requirements) -> tuple[Problem, Requirements]:
+    """What is left of a problem without given times and rates at its ends: least time from rest to rest."""
+    open_ = tuple(replace(demand, duration=None) for demand in requirements.demands)
+    free = replace(requirements, demands=open_, arrivals={}, start=(), end=())
+    return problem.model_copy(update={"objective": Goal()}), free
 
 
 def choose_stopping(problem: Problem, requirements: Requirements) -> Problem:
