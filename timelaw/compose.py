@@ -62,18 +62,17 @@ def compose_through(
             segments.append(Rational(*ends, duration, leg.start, leg.end, pieces, {**limits, **bound}))
         time += duration
     before, after = (_list_rates(passages[end].curve, end) for end in (0, -1))
-    goes_round = periodic and bool(before)
-    outside = ({}, {}) if goes_round else (before, after)
+    moving = any(np.any(rate) for rates in (before, after) for rate in rates.values())
+    goes_round = periodic and moving
+    outside = (before, after) if moving and not periodic else ({}, {})
     return QuaternionLaw(
         name, tuple(segments), requirements.limits, requirements.body, continuity, *outside, goes_round
     )
 
 
 def _list_rates(curve: Curve | None, end: int) -> dict[int, Array]:
-    """The rates of its first (0) or last (-1) knot by order; none for rest."""
-    if curve is None or not np.any(curve.rates[end]):
-        return {}
-    known = dict(enumerate(curve.rates[end], 1))
+    """The rates (3,) of its first (0) or last (-1) knot by order; of rest without a curve."""
+    known = {} if curve is None else dict(enumerate(curve.rates[end], 1))
     return {k: known.get(k, np.zeros(3)) for k in range(1, MAX_ORDER + 1)}
 
 

@@ -221,7 +221,7 @@ def lay_out_problem(path: Path, problem: Problem, source: Source, progress: Prog
     with source.placed(), on_one_thread():
         orientations = read_orientations(problem.route.orientations, path.parent)
         tour = find_tour(problem, orientations, progress)
-        route = lay_route(orientations, tour)
+        route = lay_route(orientations, tour, merge=problem.motion.through)
         requirements = resolve_requirements(problem, route)
     return Layout(path, problem, source, orientations, tour, route, requirements)
 

@@ -7,6 +7,7 @@ import numpy as np
 from timelaw.certificate.farthest import find_farthest
 from timelaw.objectives import OBJECTIVES
 from timelaw.pipeline import Design
+from timelaw.report.rotation_spline import time_rotation_spline
 from timelaw.through.passage import Passage, Through
 from timelaw.time_law.baselines import time_double_s, time_quintic
 
@@ -16,6 +17,13 @@ NOTICEABLE = 1e-9  # relative; two baselines nearer than that are one
 def describe_passing(design: Design, through: Through) -> list[str]:
     """Time against the laws that stop, what is passed, and how far the arcs are left."""
     found = [_describe_time(design), *_describe_effort(design, through), *_describe_passages(design, through)]
+    spline = time_rotation_spline(design.optimised.law) if through.passed else None
+    if spline is not None:
+        ends = " and ".join(f"{np.degrees(speed):.3g}" for speed in spline.ends)
+        found.append(
+            f"SciPy's RotationSpline through the same nodes takes {spline.duration:.6g} s under the same "
+            f"limits (sampled, not proved): its jerk jumps, and it moves at its ends, at {ends} deg/s."
+        )
     farthest = find_farthest(design.optimised.law)
     if farthest is not None:
         asked = design.problem.motion.deviation

@@ -98,16 +98,21 @@ def list_notes(points: OrientationSet, route: Route) -> list[str]:
 
 
 def describe_moves(points: OrientationSet, route: Route) -> list[str]:
-    """A sentence on the nodes that were moved to go straight on, and how far; none where none was."""
+    """Sentences on visits that are one node, and on nodes that were moved to go straight on, and how far."""
+    merged = [
+        f'"{label}" and "{route.nodes[index].label}" follow each other and are the same orientation: one node'
+        for label, index in route.merged.items()
+    ]
     if not (moved := route.moved):
-        return []
+        return merged
     farthest = max(moved, key=lambda label: moved[label])
     verb = "is" if len(moved) == 1 else "are"
     each = list_some([f"{label} by {_small(angle)}" for label, angle in moved.items()])
     return [
+        *merged,
         f"{len(moved)} of {len(points)} nodes {verb} moved onto great circles that they lie on within the "
         f"precision of the input ({points.precision.origin}: {_small(points.precision.angle)}), so that the "
-        f"body goes straight on, node {farthest} farthest, by {_small(moved[farthest])}: {each}"
+        f"body goes straight on, node {farthest} farthest, by {_small(moved[farthest])}: {each}",
     ]
 
 

@@ -86,3 +86,14 @@ def draw_problem(seed: int, number: int) -> tuple[str, dict[str, Any]]:
         },
         "baselines": [],
     }
+
+
+def draw_large(seed: int, count: int = 1000) -> dict[str, Any]:
+    """The data of a problem with many random orientations, each next one the nearest that is left."""
+    nodes = _nearest(np.random.default_rng([seed, count]), count)
+    _, data = draw_problem(seed, 0)
+    data["name"] = f"set-{seed}-of-{count}"
+    data["route"] = {"orientations": {"list": nodes.tolist(), "precision": "1e-9 deg"}}
+    data["limits"] = {"velocity": "60 deg/s", "acceleration": "120 deg/s^2", "jerk": "600 deg/s^3"}
+    data["motion"] = {"kind": "through", "pieces": 1}
+    return data

@@ -130,6 +130,11 @@ def _node_rules(problem: Problem, route: Route) -> dict[int, NodeRule]:
     for label, rule in problem.nodes.at.items():
         where = f"nodes.at.{label}"
         visits = [i for i, there in enumerate(labels) if there == label]
+        if not visits and label in route.merged:
+            visits = [route.merged[label]]
+            if visits[0] in rules or labels[visits[0]] in problem.nodes.at:
+                message = f'"{label}" and "{labels[visits[0]]}" are one node; give its rules once'
+                raise InputError(Fault(message, where))
         if not visits:
             message = f'the tour has no node "{label}"; it has {list_some(list(dict.fromkeys(labels)))}'
             raise InputError(Fault(message, where))

@@ -1,7 +1,7 @@
 """The route of a tour: legs, the nodes between them, and the runs the body can do without a stop."""
 
-from collections.abc import Collection
-from dataclasses import dataclass
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Literal
 
@@ -49,10 +49,14 @@ class Run:
 
 @dataclass(frozen=True)
 class Route:
-    """Legs in order, and the nodes before, between and after them (one more than legs)."""
+    """Legs in order, and the nodes before, between and after them (one more than legs).
+
+    `merged` are labels of visits that are one node with the visit before, by the index of that.
+    """
 
     legs: tuple[Leg, ...]
     nodes: tuple[Node, ...]
+    merged: Mapping[str, int] = field(default_factory=dict)
 
     @property
     def angles(self) -> Array:
@@ -94,16 +98,20 @@ class Route:
         return multiply(start, from_axis_angle(axis, self.angles[index] * (sigma - index)))
 
 
-def lay_route(points: OrientationSet, tour: Tour) -> Route:
+def lay_route(points: OrientationSet, tour: Tour, *, merge: bool = False) -> Route:
     """Join the visits of a tour by great-circle arcs; what is straight within their precision is straight.
+
+    To `merge`: visits in a row of the same orientation are one node.
 
     Raises:
         InputError: two visits in a row are the same orientation.
     """
-    order = tour.visits()
+    order, precision = list(tour.visits()), points.precision.angle
+    merged: dict[str, int] = {}
+    if merge:
+        order, merged = _merge_visits(points, order)
     labels = [points.labels[i] for i in order]
-    visits = points.quaternions[list(order)]
-    precision = points.precision.angle
+    visits = points.quaternions[order]
     for k, angle in enumerate(find_turn(visits[:-1], visits[1:]).angle):
         if angle < max(SAME_ORIENTATION, precision):
             message = f'"{labels[k]}" and "{labels[k + 1]}" follow each other and are the same orientation'
@@ -113,7 +121,20 @@ def lay_route(points: OrientationSet, tour: Tour) -> Route:
             raise InputError(Fault(f"{message}{within}; {remedy}", "route.tour"))
     settled = settle_visits(visits, precision, closed=tour.closed)
     legs = _lay_legs(labels, settled, precision)
-    return Route(legs, _nodes(legs, settled))
+    return Route(legs, _nodes(legs, settled), merged)
+
+
+def _merge_visits(points: OrientationSet, order: Sequence[int]) -> tuple[list[int], dict[str, int]]:
+    """The visits without those that are of the same orientation as the one before, and where these are."""
+    kept, merged = [order[0]], {}
+    same = max(SAME_ORIENTATION, points.precision.angle)
+    for index in order[1:]:
+        angle = float(find_turn(points.quaternions[kept[-1]], points.quaternions[index]).angle)
+        if angle >= same:
+            kept.append(index)
+        elif points.labels[index] != points.labels[kept[-1]]:
+            merged[points.labels[index]] = len(kept) - 1
+    return (kept, merged) if len(kept) > 1 else (list(order), {})
 
 
 def _lay_legs(labels: list[str], settled: Settled, precision: float) -> tuple[Leg, ...]:

@@ -14,7 +14,7 @@ from timelaw.numerics.array import Array
 from timelaw.through.columns import Columns, number_columns
 from timelaw.through.curve import Curve, make_curve
 from timelaw.through.effort import list_residuals
-from timelaw.through.given_times import GivenTimes, Goal
+from timelaw.through.given_times import GivenTimes, Goal, fit_durations
 from timelaw.through.ladder import ENOUGH, SPLIT_RADIUS, Form, Rung, Stretch
 from timelaw.through.leaving import limit_deviation
 from timelaw.through.measures import SAMPLES, LimitMeasure, Measure, Scaled, find_use, sample_used
@@ -111,25 +111,6 @@ def begin_given(stretch: Stretch, form: Form, given: Given) -> Curve:
     return make_curve(form.rungs[0][0], 1, stretch.turn, rates, duration)
 
 
-def fit_durations(
-    durations: Array, fixed: Mapping[int, float], budgets: Sequence[tuple[int, float]]
-) -> Array:
-    """Durations (K,) with those that are `fixed`, the others between two given times by one factor."""
-    found = durations.copy()
-    for leg, time in fixed.items():
-        found[leg] = time
-    free = np.array([k not in fixed for k in range(len(found))])
-    passed, first = 0.0, 0
-    for legs, time in budgets:
-        own = np.arange(len(found)) >= first
-        own[legs:] = False
-        rest = float(np.sum(found[own & ~free]))
-        if np.any(own & free):
-            found[own & free] *= max(time - passed - rest, 1e-9 * time) / float(np.sum(found[own & free]))
-        passed, first = time, legs
-    return found
-
-
 def _search_given(
     curve: Curve,
     stretch: Stretch,
@@ -140,9 +121,7 @@ def _search_given(
     """The curve that is best for the goal, and how good; first one that holds the limits at all."""
     columns = number_columns(curve, stretch.held, periodic=stretch.periodic, fixed=tuple(given.fixed))
     scales = given.scales or (1.0, 1.0)
-    goal = Goal(
-        given.time, given.effort, scales, given.vector, tuple(legs for legs, _ in given.budgets), given.peak
-    )
+    goal = Goal(given.time, given.effort, scales, given.vector, tuple(given.budgets), given.peak)
     steps, radius = 0, SPLIT_RADIUS
     use = find_use(curve, measures, plain=True)
     if use.worst > 1 or use.excess or given.peak:

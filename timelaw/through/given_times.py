@@ -4,8 +4,8 @@ The merit is the objective relative to the start's, and a price for each leg tha
 are given are sums of durations that every step keeps.
 """
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy import sparse
@@ -21,6 +21,7 @@ from timelaw.through.search import Look
 
 PRICE = 3.0  # of breaking the limits on all legs, in the objective of the start
 NEARLY = 1.01  # of the search's bounds: what is farther beyond them breaks the limits too
+LEAST_ROOM = 1e-9  # of a given time, for legs that are left no time by those of fixed duration
 FINE = 121  # samples, at which limits must hold
 SAMPLES_OF_PEAK = 61
 MOST_OVER = 2.0  # a step may break limits by so much more than they are broken already
@@ -30,14 +31,14 @@ MOST_OVER = 2.0  # a step may break limits by so much more than they are broken 
 class Goal:
     """time/T₀ times its weight, + effort/E₀ times its; or the largest used part of a limit.
 
-    `budgets` are numbers of legs, from the first on, whose times together are given.
+    `budgets` are numbers of legs, from the first on, and the time [s] that they take together.
     """
 
     time: float
     effort: float
     scales: tuple[float, float]
     vector: LimitMeasure
-    budgets: tuple[int, ...] = ()
+    budgets: tuple[tuple[int, float], ...] = ()
     peak: bool = False
 
 
@@ -107,7 +108,7 @@ class GivenTimes:
 
     def _list_kept(self, curve: Curve, columns: Columns) -> sparse.csr_matrix:
         rows = np.zeros((len(self.goal.budgets), columns.count))
-        for row, legs in zip(rows, self.goal.budgets, strict=True):
+        for row, (legs, _) in zip(rows, self.goal.budgets, strict=True):
             own = columns.legs[:legs]
             row[own[own >= 0]] = 1.0
         rows = rows[np.any(rows, axis=1)]
@@ -145,5 +146,27 @@ class GivenTimes:
         return None
 
     def finish(self, best: Curve) -> Curve:
-        """As it is."""
-        return best
+        """With the times that are given to the last digit."""
+        fixed = {int(k): float(best.duration[k]) for k in np.nonzero(self.columns.legs < 0)[0]}
+        budgets = [(legs, time / best.pieces) for legs, time in self.goal.budgets]
+        return replace(best, duration=fit_durations(best.duration, fixed, budgets))
+
+
+def fit_durations(
+    durations: Array, fixed: Mapping[int, float], budgets: Sequence[tuple[int, float]]
+) -> Array:
+    """Durations (K,) with those that are `fixed`, the others between two given times by one factor."""
+    found = durations.copy()
+    for leg, time in fixed.items():
+        found[leg] = time
+    free = np.array([k not in fixed for k in range(len(found))])
+    passed, first = 0.0, 0
+    for legs, time in budgets:
+        own = np.arange(len(found)) >= first
+        own[legs:] = False
+        rest = float(np.sum(found[own & ~free]))
+        if np.any(own & free):
+            room = max(time - passed - rest, LEAST_ROOM * time)
+            found[own & free] *= room / float(np.sum(found[own & free]))
+        passed, first = time, legs
+    return found

@@ -68,6 +68,11 @@ class Form:
     deviation: float | None = None
 
     @property
+    def searched(self) -> bool:
+        """Whether degree and pieces are both left open."""
+        return self.degree is None and self.pieces is None
+
+    @property
     def rungs(self) -> list[tuple[int, int]]:
         """(degree, pieces), from the poorest on."""
         degree = self.degree or AUTO_DEGREES[self.smooth]

@@ -20,6 +20,8 @@ from timelaw.through.ladder import Form, Rung, Stretch, climb
 from timelaw.through.measures import LimitMeasure, list_limit_measures
 from timelaw.time_limit import is_late
 
+RICHEST = 9  # degree that is tried where the first one loses to stopping: mostly where speed is what limits
+
 
 @dataclass(frozen=True)
 class Passage:
@@ -97,6 +99,9 @@ def find_passages(
 
             curve, rungs = climb(stretch, measures, form, tell)
             passage = replace(passage, rungs=tuple(rungs)).take(curve)
+            if passage.curve is None and form.searched and not is_late():
+                curve, more = climb(stretch, measures, replace(form, degree=RICHEST), tell)
+                passage = replace(passage, rungs=(*rungs, *more)).take(curve)
         done.append(passage)
     return Through(tuple(done), is_late())
 
