@@ -81,7 +81,7 @@ def test_rates_are_those_of_the_normalised_curve(seed):
     rng = np.random.default_rng(seed)
     curve = make_curve(rng, degree=int(rng.integers(1, 10)))
     for u in (0.0, 0.3, 1.0):
-        numerators, square = curve.numerators(4), curve.square(np.array([u]))[0]
+        numerators, square = curve.numerators(4), curve.power(1)(np.array([u]))[0]
         for k, exact in enumerate(series_rates(curve, u), 1):
             size = np.linalg.norm(exact) + curve.duration**-k
             assert np.linalg.norm(curve(np.array([u]), k)[0] - exact) < 1e-11 * size
@@ -146,6 +146,26 @@ def test_bounds_enclose_the_exact_maxima(seed):
         assert peak.lower <= float(exact) * (1 + 1e-15)
         assert not exact > arb(peak.upper)
         assert peak.upper <= float(exact) * (1 + 1e-9)
+
+
+@pytest.mark.parametrize(
+    ("duration", "factor"), [(1e-30, 1e6), (1e-28, 1.0), (1e-9, 1e-30), (1e12, 1e6), (1.0, 1e-200)]
+)
+def test_bounds_scale_with_time_and_not_with_the_size_of_q(duration, factor):
+    """Powers of short times and small Q once left the range of doubles, and what was no number was passed over."""
+    law = make_law(limits={"snap": 1.0, "jerk": [1.0] * 3})
+    shortest = max(duration, 1e-9)
+    law["segments"][0] |= {"duration": shortest, "start": [0.6, 0.0, 0.8, 0.0], "end": [0.0, 0.6, 0.8, 0.0]}
+    control = [[0.6, 0.0, 0.8, 0.0], [0.5, 0.2, 0.9, 0.1], [0.1, 0.4, 0.8, 0.3], [0.0, 0.6, 0.8, 0.0]]
+
+    def bounds(duration, factor):
+        piece = {"duration": duration, "control": [[x * factor for x in q] for q in control]}
+        law["segments"][0]["pieces"] = [piece]
+        return {c.limit: c.upper for c in certify(from_document(law)).limits}
+
+    plain = bounds(1.0, 1.0)
+    for name, upper in bounds(duration, factor).items():
+        assert upper == pytest.approx(plain[name] / duration ** (4 if name == "snap" else 3), rel=1e-9)
 
 
 def rest_to_rest(first, last, duration):

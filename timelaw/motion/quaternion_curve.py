@@ -1,7 +1,8 @@
 """Quaternion polynomials Q(t), not normalised: orientation Q/|Q| and its rates, as numbers and polynomials.
 
 With D = Q·Q, v(a, b) = Vec(ā b) and N = 2 v(Q, Q'): ω = N/D. The k-th numerator X_k, by X_1 = N and
-X_(k+1) = X_k' D - k X_k D', is the (k-1)-th derivative of ω times D^k [HZ2019].
+X_(k+1) = X_k' D - k X_k D', is the (k-1)-th derivative of ω times D^k [HZ2019]. Derivatives in X_k are in
+u = t/h, and Q is as large as one: no power of a short time or of a small Q leaves the range of doubles.
 """
 
 from collections.abc import Sequence
@@ -45,9 +46,15 @@ class QuaternionCurve:
             rates.append(rate / square[0][..., None])
         return rates[-1]
 
+    @cached_property
+    def _level(self) -> Array:
+        """Control points over a power of two, which turns nothing; the largest component from 1/2 to 1."""
+        _, exponent = np.frexp(np.max(np.abs(self.control)))
+        return np.ldexp(self.control, -exponent)
+
     def _derivative(self, u: Array, order: int) -> Array:
         """The k-th derivative of Q (m, 4) in time."""
-        points = differentiate(self.control.T, order) / self.duration**order
+        points = differentiate(self._level.T, order) / self.duration**order
         return evaluate(points, np.asarray(u)[..., None])
 
     @cached_property
@@ -57,7 +64,7 @@ class QuaternionCurve:
         return parts[0] + parts[1] + parts[2] + parts[3]
 
     def power(self, exponent: int) -> Polynomial:
-        """D^exponent."""
+        """(h D)^exponent."""
         known = self._powers
         if exponent not in known:
             half = exponent // 2
@@ -65,26 +72,26 @@ class QuaternionCurve:
         return known[exponent]
 
     def numerators(self, highest: int) -> dict[int, Vector]:
-        """X_k (3) for k = 1 … `highest`: ω = X_1/D, α = X_2/D², jerk = X_3/D³, snap = X_4/D⁴."""
+        """X_k (3) for k = 1 … `highest`: ω = X_1/hD, α = X_2/(hD)², jerk = X_3/(hD)³, snap = X_4/(hD)⁴."""
         known = self._numerators
-        slope = self.square.derive(self.duration)
+        slope = self.square.derive(1.0)
         for k in range(len(known), highest):
-            known[k + 1] = [p.derive(self.duration) * self.square + p * slope * -float(k) for p in known[k]]
+            known[k + 1] = [p.derive(1.0) * self.square + p * slope * -float(k) for p in known[k]]
         return {k: known[k] for k in range(1, highest + 1)}
 
     @cached_property
     def _powers(self) -> dict[int, Polynomial]:
-        return {1: self.square}
+        return {1: self.square * self.duration}
 
     @cached_property
     def _numerators(self) -> dict[int, Vector]:
         return {1: [part * 2.0 for part in product(self._conjugate(), self._components(1))[1:]]}
 
     def turn_back(self, vector: Vector) -> Vector:
-        """D times a vector (3) of the world in body axes: the vector part of Q̄ ⊗ (0, h) ⊗ Q."""
+        """A vector v (3) of the world in body axes, times hD: the vector part of Q̄ ⊗ (0, hv) ⊗ Q."""
         if not any(vector):
             return vector
-        inner = [Polynomial(np.zeros(1)), *(Polynomial(np.ones(1)) * part for part in vector)]
+        inner = [Polynomial(np.zeros(1)), *(Polynomial(np.array([self.duration])) * part for part in vector)]
         return product(product(self._conjugate(), inner), self._components(0))[1:]
 
     def _conjugate(self) -> list[Polynomial]:
@@ -93,9 +100,9 @@ class QuaternionCurve:
         return [q[0], *(part * -1.0 for part in q[1:])]
 
     def _components(self, order: int) -> list[Polynomial]:
-        parts = [Polynomial(column) for column in self.control.T]
+        parts = [Polynomial(column) for column in self._level.T]
         for _ in range(order):
-            parts = [part.derive(self.duration) for part in parts]
+            parts = [part.derive(1.0) for part in parts]
         return parts
 
 

@@ -96,7 +96,7 @@ class Rational(Moving):
         return
 
     def rates(self, order: int) -> list[Quotient]:
-        """The size of the k-th rate on each piece: √(X_k·X_k/D^2k)."""
+        """The size of the k-th rate on each piece: √(X_k·X_k/(hD)^2k)."""
         found = []
         for piece in self.pieces:
             numerator = piece.numerators(order)[order]
@@ -120,7 +120,7 @@ class Rational(Moving):
         return fsum(p.duration * float(mean) ** 0.5 for p, mean in zip(self.pieces, squares, strict=True))
 
     def quantities(self, limits: Sequence[Limit], total: Vector) -> Iterator[Quantity]:
-        """Every limit's own formula in the numerators, over D to the limit's power of time."""
+        """Every limit's own formula in the numerators, over hD to the limit's power of time."""
         breaks = self.breaks.tolist()
         for piece, start, end in zip(self.pieces, breaks[:-1], breaks[1:], strict=True):
             rates = piece.numerators(max((limit.highest for limit in limits), default=1))

@@ -42,6 +42,11 @@ class Polynomial:
         """Largest control point, a bound on |p|."""
         return float(np.max(np.abs(self.control)))
 
+    @property
+    def finite(self) -> bool:
+        """Whether control points and their error are numbers within the range of doubles."""
+        return bool(np.isfinite(self.error) and np.all(np.isfinite(self.control)))
+
     def raised(self, degree: int) -> "Polynomial":
         """The same polynomial in a form of a degree that is not lower; means of two, each rounded thrice."""
         if self.degree == degree:
