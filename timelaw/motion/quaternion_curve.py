@@ -1,8 +1,6 @@
 """Quaternion polynomials Q(t), not normalised: orientation Q/|Q| and its rates, as numbers and polynomials.
 
-With D = Q·Q, v(a, b) = Vec(ā b) and N = 2 v(Q, Q'): ω = N/D. The k-th numerator X_k, by X_1 = N and
-X_(k+1) = X_k' D - k X_k D', is the (k-1)-th derivative of ω times D^k [HZ2019]. Derivatives in X_k are in
-u = t/h, and Q is as large as one: no power of a short time or of a small Q leaves the range of doubles.
+With D = Q·Q, v(a, b) = Vec(ā b) and N = 2 v(Q, Q'): ω = N/D [HZ2019].
 """
 
 from collections.abc import Sequence
@@ -12,11 +10,13 @@ from math import comb
 
 import numpy as np
 
-from timelaw.limits.formula import Vector, product
+from timelaw.motion.curve_form import CurveForm
 from timelaw.numerics.array import Array, freeze
 from timelaw.numerics.bernstein import differentiate, evaluate
 from timelaw.numerics.polynomial import Polynomial
 from timelaw.numerics.quaternion import conjugate, multiply
+
+HIGHEST = 4  # derivatives of Q: snap needs so many
 
 
 @dataclass(frozen=True)
@@ -50,7 +50,7 @@ class QuaternionCurve:
     def _level(self) -> Array:
         """Control points over a power of two, which turns nothing; the largest component from 1/2 to 1."""
         _, exponent = np.frexp(np.max(np.abs(self.control)))
-        return np.ldexp(self.control, -exponent)
+        return np.asarray(np.ldexp(self.control, -exponent))
 
     def _derivative(self, u: Array, order: int) -> Array:
         """The k-th derivative of Q (m, 4) in time."""
@@ -58,52 +58,19 @@ class QuaternionCurve:
         return evaluate(points, np.asarray(u)[..., None])
 
     @cached_property
-    def square(self) -> Polynomial:
-        """D, of degree 2d."""
-        parts = [q * q for q in self._components(0)]
-        return parts[0] + parts[1] + parts[2] + parts[3]
-
-    def power(self, exponent: int) -> Polynomial:
-        """(h D)^exponent."""
-        known = self._powers
-        if exponent not in known:
-            half = exponent // 2
-            known[exponent] = self.power(half) * self.power(exponent - half)
-        return known[exponent]
-
-    def numerators(self, highest: int) -> dict[int, Vector]:
-        """X_k (3) for k = 1 … `highest`: ω = X_1/hD, α = X_2/(hD)², jerk = X_3/(hD)³, snap = X_4/(hD)⁴."""
-        known = self._numerators
-        slope = self.square.derive(1.0)
-        for k in range(len(known), highest):
-            known[k + 1] = [p.derive(1.0) * self.square + p * slope * -float(k) for p in known[k]]
-        return {k: known[k] for k in range(1, highest + 1)}
-
-    @cached_property
-    def _powers(self) -> dict[int, Polynomial]:
-        return {1: self.square * self.duration}
-
-    @cached_property
-    def _numerators(self) -> dict[int, Vector]:
-        return {1: [part * 2.0 for part in product(self._conjugate(), self._components(1))[1:]]}
-
-    def turn_back(self, vector: Vector) -> Vector:
-        """A vector v (3) of the world in body axes, times hD: the vector part of Q̄ ⊗ (0, hv) ⊗ Q."""
-        if not any(vector):
-            return vector
-        inner = [Polynomial(np.zeros(1)), *(Polynomial(np.array([self.duration])) * part for part in vector)]
-        return product(product(self._conjugate(), inner), self._components(0))[1:]
-
-    def _conjugate(self) -> list[Polynomial]:
-        """Q̄."""
-        q = self._components(0)
-        return [q[0], *(part * -1.0 for part in q[1:])]
-
-    def _components(self, order: int) -> list[Polynomial]:
+    def form(self) -> CurveForm:
+        """The whole piece as polynomials."""
         parts = [Polynomial(column) for column in self._level.T]
-        for _ in range(order):
+        derivatives = [parts]
+        for _ in range(HIGHEST):
             parts = [part.derive(1.0) for part in parts]
-        return parts
+            derivatives.append(parts)
+        return CurveForm(self.duration, 0.0, 1.0, tuple(derivatives))
+
+    @cached_property
+    def forms(self) -> tuple[CurveForm, ...]:
+        """The piece in parts, on each of which D is even."""
+        return tuple(self.form.split())
 
 
 def _derive_vector(q: Sequence[Array], order: int) -> Array:

@@ -99,8 +99,8 @@ class Rational(Moving):
         """The size of the k-th rate on each piece: √(X_k·X_k/(hD)^2k)."""
         found = []
         for piece in self.pieces:
-            numerator = piece.numerators(order)[order]
-            found.append(Quotient(dot(numerator, numerator), piece.power(2 * order), 2))
+            numerator = piece.form.numerators(order)[order]
+            found.append(Quotient(dot(numerator, numerator), piece.form.power(2 * order), 2))
         return found
 
     def side(self, order: int, end: int) -> Array:
@@ -121,15 +121,16 @@ class Rational(Moving):
 
     def quantities(self, limits: Sequence[Limit], total: Vector) -> Iterator[Quantity]:
         """Every limit's own formula in the numerators, over hD to the limit's power of time."""
-        breaks = self.breaks.tolist()
-        for piece, start, end in zip(self.pieces, breaks[:-1], breaks[1:], strict=True):
-            rates = piece.numerators(max((limit.highest for limit in limits), default=1))
-            seen = piece.turn_back(total)
-            for limit in limits:
-                for formula in limit.of(rates, seen):
-                    row = FormulaRow(limit.name, formula, limit.unit, limit.highest)
-                    value = Quotient(formula.value, piece.power(limit.power * formula.root))
-                    yield Quantity(row, value, start, end)
+        highest = max((limit.highest for limit in limits), default=1)
+        for piece, first, width in zip(self.pieces, self.breaks[:-1], np.diff(self.breaks), strict=True):
+            for form in piece.forms:
+                rates, seen = form.numerators(highest), form.turn_back(total)
+                start, end = (float(first + width * u) for u in (form.start, form.end))
+                for limit in limits:
+                    for formula in limit.of(rates, seen):
+                        row = FormulaRow(limit.name, formula, limit.unit, limit.highest)
+                        value = Quotient(formula.value, form.power(limit.power * formula.root))
+                        yield Quantity(row, value, start, end)
 
     def unit_vectors(self) -> tuple[Array, ...]:
         """Both orientations."""

@@ -9,7 +9,7 @@ import numpy as np
 
 from timelaw.numerics.array import Array, freeze
 from timelaw.numerics.ball import ABOVE, Ball
-from timelaw.numerics.bernstein import UNIT_ROUNDOFF, elevate, evaluate, integrate_square
+from timelaw.numerics.bernstein import UNIT_ROUNDOFF, elevate, evaluate, halving_matrix, integrate_square
 from timelaw.numerics.extrema import Peak, enclose_polynomials
 
 SCALAR_ROUNDING = 16 * UNIT_ROUNDOFF  # scalars are powers and quotients, themselves rounded a few times
@@ -53,6 +53,13 @@ class Polynomial:
             return self
         rounding = 4 * degree * UNIT_ROUNDOFF * self.size
         return Polynomial(elevate(self.control, degree), self.error + rounding)
+
+    def halve(self) -> tuple["Polynomial", "Polynomial"]:
+        """The same polynomial on [0, 1/2] and on [1/2, 1], both over [0, 1]."""
+        count = self.degree + 1
+        both = halving_matrix(self.degree) @ self.control
+        error = self.error + 2 * (count + 1) * UNIT_ROUNDOFF * self.size
+        return Polynomial(both[:count], error), Polynomial(both[count:], error)
 
     def derive(self, duration: float) -> "Polynomial":
         """d/dt, u = t/duration: n (c_(j+1) - c_j)/h, of degree 0 where there is nothing left."""
