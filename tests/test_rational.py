@@ -248,6 +248,17 @@ def test_a_curve_through_zero_has_no_bound():
     assert not certify(from_document(law)).holds
 
 
+@pytest.mark.parametrize(("nearest", "bounded"), [(1e-2, True), (1e-5, True), (1e-13, False)])
+def test_a_curve_near_zero_is_bounded_where_it_can_be_told_from_zero(nearest, bounded):
+    """Near it Q is (1 - 2u, nearest, 0, 0): ω = 2 · 2 nearest/h over (1 - 2u)² + nearest², which is 4/(h nearest)."""
+    law = make_law(limits={"velocity": 1.0, "snap": 1.0})
+    control = [[1 - 2 * i / 6, nearest, 0.0, 0.0] for i in range(7)]
+    law["segments"][0]["pieces"][0]["control"] = control
+    velocity, snap = certify(from_document(law)).limits
+    assert (velocity.upper == pytest.approx(4 / 4.0 / nearest, rel=1e-8)) is bounded
+    assert np.isfinite(snap.upper) == bounded
+
+
 BODY = {"inertia": [[12.0, 0.5, -1.0], [0.5, 10.0, 0.3], [-1.0, 0.3, 8.0]]}
 WHEELS = BODY | {"actuator": "wheels", "momentum": [0.3, -0.2, 0.5]}
 

@@ -17,7 +17,7 @@ from timelaw.limits.formula import Vector, dot, product
 from timelaw.numerics.polynomial import Polynomial
 
 EVEN = 2.0  # times the least control point of D is the largest at most; else powers of D drown in rounding
-DEPTH = 12  # halvings; by then Q is thousands of times smaller than its control points
+DEPTH = 24  # halvings; a Q that is ten million times smaller there than its control points can be told from 0
 
 Quaternion = list[Polynomial]
 
@@ -32,9 +32,10 @@ class CurveForm:
     derivatives: tuple[Quaternion, ...]
 
     def split(self, depth: int = DEPTH) -> Iterator["CurveForm"]:
-        """Parts on which D is even enough; where it may vanish they are as short as they get."""
+        """Parts on which D is even enough, or lost in rounding at an end."""
         control = self.square.control
-        if not depth or 0 < np.max(control) <= EVEN * np.min(control):
+        lost = min(control[0], control[-1]) <= self.square.error
+        if not depth or lost or np.max(control) <= EVEN * np.min(control):
             yield self
             return
         middle = (self.start + self.end) / 2

@@ -86,6 +86,9 @@ def _enclose(nums: Sequence[Polynomial], dens: Sequence[Polynomial]) -> list[Pea
         hull, plain, loss = _bound(boxes, errors)
         # where rounding is more than halving could still gain, a box is done
         open_ = plain > np.maximum(lower[owner] * (1 + GAP), FLOOR) + loss
+        # where the denominator is lost in rounding at a point there is no bound, however often it is halved
+        lost = np.any(boxes[:, 1, [0, -1]] <= errors[:, 1, None], axis=1)
+        open_ &= ~np.isin(owner, owner[lost])
         if depth == DEPTH or np.count_nonzero(open_) > MOST_PIECES * count:
             open_[:] = False
         np.maximum.at(upper, owner[~open_], hull[~open_])
