@@ -259,6 +259,27 @@ def test_a_curve_near_zero_is_bounded_where_it_can_be_told_from_zero(nearest, bo
     assert np.isfinite(snap.upper) == bounded
 
 
+@pytest.mark.parametrize(
+    "limits", [{"velocity": 1.1, "jerk": [30.0] * 3}, {"torque": 70.0, "momentum": 30.3}]
+)
+def test_arcs_and_rational_segments_have_their_limits_together(limits):
+    """One check for each limit, whatever power of it each kind of segment is judged by."""
+    law = make_law(limits=limits) | {"body": WHEELS, "duration": 7.0, "continuity": 2}
+    go = law["segments"][0]
+    turn = [60 / 3.0**3 * c for c in (1.0, -2.0, 1.0)]
+    arc = {"kind": "arc", "from": "0", "to": "1", "start_time": 0.0, "duration": 3.0, "axis": [1.0, 0.0, 0.0]}
+    arc |= {"start": [np.cos(0.5), -np.sin(0.5), 0.0, 0.0], "end": go["start"], "angle": 1.0}
+    arc["pieces"] = [{"duration": 3.0, "state": [0.0, 0.0, 0.0], "bernstein": turn}]
+    law["segments"] = [arc, go | {"start_time": 3.0}]
+    certificate = certify(from_document(law))
+    assert certificate.findings() == []
+    names = [check.limit for check in certificate.limits]
+    assert sorted(set(names)) == sorted(names)
+    for check in certificate.limits:
+        assert check.bound == pytest.approx(np.max(limits[check.limit.split()[0]]), rel=1e-14)
+        assert bool(check.note) is (check.limit in ("torque", "momentum"))
+
+
 BODY = {"inertia": [[12.0, 0.5, -1.0], [0.5, 10.0, 0.3], [-1.0, 0.3, 8.0]]}
 WHEELS = BODY | {"actuator": "wheels", "momentum": [0.3, -0.2, 0.5]}
 
