@@ -5,16 +5,18 @@ from functools import cached_property, lru_cache
 from itertools import pairwise
 from math import comb
 
-from flint import acb, arb, arb_poly, ctx, fmpq, fmpq_poly
+from flint import arb, arb_poly, ctx, fmpq, fmpq_poly
 
 from tests.exact.patches import Patches, turn_vector
 from tests.exact.polynomials import find_real_roots, from_bernstein
+from tests.exact.quadrature import integrate
 from tests.exact.quotients import Quotient, enclose_quotient
 from tests.exact.rational import Vector, dot, read, read_all, root
 
 KNOWN = 2000  # pieces that are kept with their extrema
+ORDERS = (1, 2, 3, 4)
 CURVE_PRECISION = 640  # bits; powers of D lose more than angles do
-MEAN_PRECISION, MEAN_GAP = 160, 1e-9  # of a mean that jumps are judged by
+MEAN_PRECISION = 160  # bits, of a mean that jumps are judged by
 
 
 class Curve:
@@ -83,18 +85,19 @@ class Curve:
         return self.enclose(("size", order), square, squared=True, gross=self.gross(order))
 
     def square(self, order: int) -> arb:
-        """Mean of |rate|², to a billionth."""
-        key = ("square", order)
-        if key not in self._known:
-            with ctx.workprec(MEAN_PRECISION):
-                made = [[arb_poly(p) for p in parts] for parts in self._derivatives[: order + 1]]
+        """Mean of |rate|², by quadrature: it is what jumps are measured by."""
+        return self._means[order - 1]
 
-                def integrand(u, _):
-                    rate = solve_rates([[p(u) for p in parts] for parts in made])[order]
-                    return dot(rate, rate)
+    @cached_property
+    def _means(self) -> list[arb]:
+        with ctx.workprec(MEAN_PRECISION):
+            made = [[arb_poly(p) for p in parts] for parts in self._derivatives[: len(ORDERS) + 1]]
 
-                self._known[key] = acb.integral(integrand, 0, 1, rel_tol=MEAN_GAP).real
-        return self._known[key]
+            def squares(u: arb) -> list[arb]:
+                rates = solve_rates([[p(u) for p in parts] for parts in made])
+                return [dot(rates[k], rates[k]) for k in ORDERS]
+
+            return integrate(squares)
 
     @cached_property
     def thinnest(self) -> float:
