@@ -11,7 +11,7 @@ from tests.exact.patches import Patches, turn_vector
 from tests.exact.polynomials import find_real_roots, from_bernstein
 from tests.exact.quadrature import integrate
 from tests.exact.quotients import Quotient, enclose_quotient
-from tests.exact.rational import Vector, dot, read, read_all, root
+from tests.exact.rational import Vector, dot, norm, read, read_all, root
 
 KNOWN = 2000  # pieces that are kept with their extrema
 ORDERS = (1, 2, 3, 4)
@@ -84,8 +84,8 @@ class Curve:
 
         return self.enclose(("size", order), square, squared=True, gross=self.gross(order))
 
-    def square(self, order: int) -> arb:
-        """Mean of |rate|², by quadrature: it is what jumps are measured by."""
+    def mean(self, order: int) -> arb:
+        """Mean of |rate|, by quadrature: it is what jumps are measured by."""
         return self._means[order - 1]
 
     @cached_property
@@ -93,11 +93,11 @@ class Curve:
         with ctx.workprec(MEAN_PRECISION):
             made = [[arb_poly(p) for p in parts] for parts in self._derivatives[: len(ORDERS) + 1]]
 
-            def squares(u: arb) -> list[arb]:
+            def sizes(u: arb) -> list[arb]:
                 rates = solve_rates([[p(u) for p in parts] for parts in made])
-                return [dot(rates[k], rates[k]) for k in ORDERS]
+                return [norm(rates[k]) for k in ORDERS]
 
-            return integrate(squares)
+            return integrate(sizes)
 
     @cached_property
     def thinnest(self) -> float:

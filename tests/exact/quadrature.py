@@ -6,7 +6,7 @@ from functools import cache
 from flint import arb
 
 NODES = 12
-GAP = 1e-9  # of the integral, that halving a stretch may change
+GAP = 1e-5  # of the integral, that halving a stretch may change
 HALVINGS = 60
 MOST = 256  # stretches at once: what is rounding alone never agrees
 

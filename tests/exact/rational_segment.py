@@ -10,6 +10,8 @@ from tests.exact.quaternions import measure_turn, normalise
 from tests.exact.rational import read_all
 from tests.exact.segments import Segment
 
+MARGIN = 0.01
+
 
 class RationalSegment(Segment):
     """The orientation is Q/|Q|, Q a quaternion polynomial on each piece."""
@@ -40,6 +42,10 @@ class RationalSegment(Segment):
             [y - x for x, y in zip(a.last(order), b.first(order), strict=True)]
             for a, b in pairwise(self.pieces)
         ]
+
+    def sum_rate(self, order: int) -> arb:
+        """Σ h · mean of |rate|, and a hundredth more for who measures it in doubles."""
+        return sum((piece.duration * piece.mean(order) for piece in self.pieces), arb(0)) * (1 + arb(MARGIN))
 
     def miss_start(self) -> arb:
         """How far [rad] from `start` it begins; q and -q are 2π apart."""

@@ -114,10 +114,15 @@ class Rational(Moving):
         return np.array([b[0] - a[1] for a, b in pairwise(values)]).reshape(-1, 3)
 
     def sum_rate(self, order: int) -> float:
-        """Σ h √(mean of |k-th rate|² on the piece)."""
+        """∫ |k-th rate| dt, by quadrature on parts where D is even: no spike stands for all of its piece."""
         nodes, weights = _quadrature()
-        squares = [weights @ np.sum(piece(nodes, order) ** 2, axis=-1) for piece in self.pieces]
-        return fsum(p.duration * float(mean) ** 0.5 for p, mean in zip(self.pieces, squares, strict=True))
+        terms = []
+        for piece in self.pieces:
+            for form in piece.forms:
+                width = form.end - form.start
+                sizes = np.linalg.norm(piece(form.start + width * nodes, order), axis=-1)
+                terms.append(piece.duration * width * float(weights @ sizes))
+        return fsum(terms)
 
     def quantities(self, limits: Sequence[Limit], total: Vector) -> Iterator[Quantity]:
         """Every limit's own formula in the numerators, over hD to the limit's power of time."""
