@@ -241,6 +241,15 @@ def test_what_is_wrong_with_it_is_found(changes, finding):
     assert any(finding in f for f in certify(from_document(law)).findings())
 
 
+def test_a_last_piece_that_no_time_resolves_is_where_the_motion_ends():
+    law = make_law()
+    control = [[0.8, 0.36, 0.48, 0.0], [0.8, 0.36, 0.48, 1e-25]]
+    law["segments"][0]["pieces"].append({"duration": 1e-25, "control": control})
+    read = from_document(law)
+    np.testing.assert_allclose(read(4.0), control[1], rtol=1e-15)
+    np.testing.assert_allclose(read(4.0, 1), [-0.96, 0.72, 1.6], rtol=1e-14)
+
+
 def test_a_curve_through_zero_has_no_bound():
     law = make_law()
     law["segments"][0]["pieces"][0]["control"][5] = [-0.8, -0.36, -0.48, 0.0]

@@ -87,8 +87,10 @@ class Rational(Moving):
         value = np.empty((*tau.shape, 4 if order == 0 else 3))
         for k in np.unique(index):
             here = index == k
-            first, last = self.breaks[k], self.breaks[k + 1]
-            value[here] = self.pieces[k](np.clip((tau[here] - first) / (last - first), 0.0, 1.0), order)
+            first, width = self.breaks[k], self.breaks[k + 1] - self.breaks[k]
+            # the last piece may be shorter than times are told apart
+            part = (tau[here] - first) / width if width else np.ones(np.count_nonzero(here))
+            value[here] = self.pieces[k](np.clip(part, 0.0, 1.0), order)
         return value
 
     def axis_at(self, end: int) -> None:  # noqa: ARG002
