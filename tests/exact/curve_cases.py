@@ -65,7 +65,7 @@ def rescale(rng: Random, control: list[Point]) -> list[Point]:
         factors = [10 ** rng.uniform(-20, 6)] * len(control)
     elif way == 1:
         factors = [10 ** rng.uniform(-0.5, 0.5) for _ in control]
-    elif way == 2:
+    elif way == 2 or most > WEIGHT:
         factors = [WEIGHT] * len(control)
     else:
         return control
