@@ -13,7 +13,7 @@ from math import comb
 
 import numpy as np
 
-from timelaw.limits.formula import Vector, dot, product
+from timelaw.limits.formula import Vector, cross, dot, product
 from timelaw.numerics.polynomial import Polynomial
 
 EVEN = 2.0  # times the least control point of D is the largest at most; else powers of D drown in rounding
@@ -81,8 +81,7 @@ class CurveForm:
         total: Vector = [Polynomial(np.zeros(1))] * 3
         for i in range((order + 2) // 2):
             weight = 2.0 * (comb(order, i) - (comb(order, i - 1) if i else 0))
-            q, slope = self.derivatives[i], self.derivatives[order + 1 - i]
-            parts = product(_conjugate(q), slope)[1:]
+            parts = _turn(self.derivatives[i], self.derivatives[order + 1 - i])
             total = [a + b * weight for a, b in zip(total, parts, strict=True)]
         return total
 
@@ -115,6 +114,12 @@ def _raise(known: dict[int, Polynomial], exponent: int) -> Polynomial:
         half = exponent // 2
         known[exponent] = _raise(known, half) * _raise(known, exponent - half)
     return known[exponent]
+
+
+def _turn(p: Quaternion, q: Quaternion) -> Vector:
+    """v(p, q)."""
+    across = cross(q[1:], p[1:])
+    return [p[0] * q[i + 1] + q[0] * p[i + 1] * -1.0 + across[i] for i in range(3)]
 
 
 def _dot4(p: Quaternion, q: Quaternion) -> Polynomial:
