@@ -67,3 +67,11 @@ def test_arcs_and_rational_segments_have_their_limits_together(limits):
     for check in certificate.limits:
         assert check.bound == pytest.approx(np.max(limits[check.limit.split()[0]]), rel=1e-14)
         assert bool(check.note) is (check.limit in ("torque", "momentum"))
+
+
+@pytest.mark.parametrize("point", [[0.0] * 4, [5e-324] * 4, [1e-170, 0.0, 0.0, 0.0]])
+@pytest.mark.parametrize("index", [0, -1])
+def test_ends_at_which_q_vanishes_are_findings(point, index):
+    law = make_law()
+    law["segments"][0]["pieces"][0]["control"][index] = point
+    assert certify(from_document(law)).findings() != []

@@ -32,8 +32,12 @@ class QuaternionCurve:
     def __call__(self, u: Array, order: int) -> Array:
         """At u = t/h (m,): unit quaternions (m, 4) for order 0, else ω, α, jerk, snap (m, 3).
 
-        The derivatives of N = ω D by Leibniz' rule, solved for the highest of ω.
+        The derivatives of N = ω D by Leibniz' rule, solved for the highest of ω; not finite where Q is zero.
         """
+        with np.errstate(divide="ignore", invalid="ignore"):
+            return self._evaluate(u, order)
+
+    def _evaluate(self, u: Array, order: int) -> Array:
         q = [self._derivative(u, k) for k in range(order + 1)]
         if order == 0:
             return np.array(q[0] / np.linalg.norm(q[0], axis=-1, keepdims=True))
