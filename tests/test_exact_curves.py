@@ -14,10 +14,10 @@ from tests.test_rational import measure
 from timelaw.certificate import certify
 from timelaw.law_file import from_document
 
-CASES, BOUNDS_LEAST = 6, 50
+CASES, BOUNDS_LEAST = 4, 30
 SEGMENTS = 1000
 SLACK = 1e-9  # of bounds of which nothing cancels to less than a thousandth
-MUTATIONS = 20
+MUTATIONS = 12
 
 
 @pytest.fixture(scope="module")
