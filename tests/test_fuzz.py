@@ -1,5 +1,8 @@
 """A few hundred spoilt inputs each time; `python -m tests.fuzz` runs as many as wanted."""
 
+import json
+import re
+
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -9,7 +12,9 @@ from tests.fuzz.batches import Batch, make_input, run_batch
 from tests.fuzz.corpus import KINDS, lay_corpus, read_corpus
 from tests.fuzz.mutations import mutate
 from tests.fuzz.readers import FAILED, RESULT, judge_input
+from timelaw.motion.kinds import KINDS as SEGMENTS
 
+POINTS = re.compile(rb'"control": \[\[[^]]*\]')  # the first control point of a piece
 MOST_CORPUS = 200_000  # bytes; it is kept with the source
 
 
@@ -36,6 +41,14 @@ def test_the_corpus_is_read(kind, tmp_path):
     for name in read_corpus(kind):
         outcome = judge_input(kind, tmp_path / name)
         assert outcome.verdict == RESULT, outcome.message
+
+
+def test_the_corpus_has_segments_of_every_kind_and_spoils_them():
+    laws = [json.loads(content) for content in read_corpus("law").values()]
+    assert {segment["kind"] for law in laws for segment in law["segments"]} == set(SEGMENTS)
+    spoilt = [make_input(5, number, "law")[2] for number in range(200)]
+    points = {point for content in read_corpus("law").values() for point in POINTS.findall(content)}
+    assert any(set(POINTS.findall(content)) - points for content in spoilt)
 
 
 def test_the_corpus_is_small():

@@ -81,7 +81,7 @@ def test_rates_are_those_of_the_normalised_curve(seed):
     rng = np.random.default_rng(seed)
     curve = make_curve(rng, degree=int(rng.integers(1, 10)))
     for u in (0.0, 0.3, 1.0):
-        numerators, square = curve.numerators(4), curve.square(np.array([u]))[0]
+        numerators, square = curve.form.numerators(4), curve.form.power(1)(np.array([u]))[0]
         for k, exact in enumerate(series_rates(curve, u), 1):
             size = np.linalg.norm(exact) + curve.duration**-k
             assert np.linalg.norm(curve(np.array([u]), k)[0] - exact) < 1e-11 * size
@@ -139,8 +139,8 @@ def largest(num, den):
 def test_bounds_enclose_the_exact_maxima(seed):
     rng = np.random.default_rng(100 + seed)
     curve = make_curve(rng, degree=int(rng.integers(2, 7)), step=float(10 ** rng.uniform(-3, -0.8)))
-    numerators = curve.numerators(3)
-    made = [Quotient(dot(numerators[k], numerators[k]), curve.power(2 * k)) for k in (1, 2, 3)]
+    numerators = curve.form.numerators(3)
+    made = [Quotient(dot(numerators[k], numerators[k]), curve.form.power(2 * k)) for k in (1, 2, 3)]
     for peak, (num, den) in zip(Quotient.enclose_all(made), exact_rates(curve), strict=True):
         exact = largest(num, den)
         assert peak.lower <= float(exact) * (1 + 1e-15)

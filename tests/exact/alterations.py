@@ -144,7 +144,7 @@ def drift_pieces(rng: Random, document: dict[str, Any]) -> str:
     order, size = rng.randrange(3), 10 ** rng.uniform(-13, -8)
     for segment in document["segments"]:
         for piece in segment.get("pieces", []):
-            if order < len(piece["state"]):
+            if order < len(piece.get("state", ())):
                 piece["state"][order] += rng.uniform(-size, size)
     return f"rates {order} of all pieces drift"
 

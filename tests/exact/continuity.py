@@ -2,13 +2,13 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import pairwise
 
 from flint import arb, fmpq
 
 from tests.exact.limits import LIMIT_ORDERS, RATE_ORDERS
-from tests.exact.motion import ORDERS, Motion, Segment
-from tests.exact.rational import largest, norm, read, root, surely_exceeds, surely_keeps
+from tests.exact.motion import Motion
+from tests.exact.rational import largest, norm, read, surely_exceeds, surely_keeps
+from tests.exact.segments import ORDERS, Segment
 
 JUMP = 1e-9  # of the scale of that order
 SHORTEST_SHARE = 1e-3  # of the mean duration; a shorter segment's sustained rate is spread over that
@@ -50,9 +50,8 @@ def list_breaks(motion: Motion) -> list[Break]:
     sustained = measure_sustained_rates(motion)
     found = []
     for segment in motion.moving:
-        axis = [a / segment.length for a in segment.axis]
-        for a, b in pairwise(segment.pieces):
-            jumps = {k: [(b.first(k) - a.last(k)) * x for x in axis] for k in ORDERS}
+        for each in zip(*(segment.jumps(k) for k in ORDERS), strict=True):
+            jumps = dict(zip(ORDERS, each, strict=True))
             found.append(Break((segment,), _relate(motion, (segment,), jumps, sustained), None))
     for index in range(len(motion.segments) + 1):
         sides = motion.segments[max(index - 1, 0) : index + 1]
@@ -107,9 +106,7 @@ def measure_sustained_rates(motion: Motion) -> dict[int, arb]:
     rates = {}
     for k in ORDERS:
         kept = [
-            sum((piece.duration * root(piece.square(k)) for piece in segment.pieces), arb(0))
-            / max(segment.duration, mean * read(SHORTEST_SHARE))
-            for segment in moving
+            segment.sum_rate(k) / max(segment.duration, mean * read(SHORTEST_SHARE)) for segment in moving
         ]
         rates[k] = largest([*kept, speed / motion.end ** (k - 1)])
     return rates

@@ -64,6 +64,31 @@ def arc(
     }
 
 
+def rational(
+    origin: str, target: str, pieces: list[dict[str, Any]], *, limits: dict[str, Any] | None = None
+) -> dict[str, Any]:
+    """A rational segment from where its first control point is to where its last is."""
+    ends = pieces[0]["control"][0], pieces[-1]["control"][-1]
+    return {
+        "kind": "rational",
+        "from": origin,
+        "to": target,
+        "start_time": 0.0,
+        "duration": min(max(sum(p["duration"] for p in pieces), 1e-9), 1e12),
+        "start": unit(ends[0]),
+        "end": unit(ends[1]),
+        **({"limits": limits} if limits else {}),
+        "pieces": pieces,
+    }
+
+
+def unit(vector: list[float]) -> list[float]:
+    """Over its norm, in doubles."""
+    largest = max(abs(x) for x in vector)
+    length = sqrt(sum((x / largest) ** 2 for x in vector))
+    return [x / largest / length for x in vector]
+
+
 def dwell(at: str, duration: float, *, start_time: float, orientation: list[float]) -> dict[str, Any]:
     """A dwell."""
     return {

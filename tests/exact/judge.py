@@ -16,9 +16,9 @@ def judge(document: dict[str, Any]) -> list[str]:
     The document is one that can be read as a law file. P2, the motion itself, is what the others judge.
     """
     motion = Motion(document)
-    flat = find_flat_axes(motion)
-    if flat:
-        return flat
+    undefined = [finding for segment in motion.segments for finding in segment.find_undefined()]
+    if undefined:
+        return undefined
     limited, breaks = list(list_limited(motion)), list_breaks(motion)
     found = [
         *find_long_vectors(motion),
@@ -29,14 +29,3 @@ def judge(document: dict[str, Any]) -> list[str]:
         *find_impossible_body(motion),
     ]
     return found + find_false_record(motion, limited, breaks, holds=not found)
-
-
-def find_flat_axes(motion: Motion) -> list[str]:
-    """P1: vectors of length zero, of which nothing else can be said."""
-    keys = ("start", "end", "axis", "orientation")
-    return [
-        f"P1 {key} of {segment.place} is zero"
-        for segment in motion.segments
-        for key in keys
-        if key in segment.data and not any(segment.data[key])
-    ]

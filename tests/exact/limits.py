@@ -6,14 +6,15 @@ from typing import Any
 
 from flint import arb, fmpq, fmpq_poly
 
-from tests.exact.motion import Motion, Piece, Segment
+from tests.exact.curve_limits import NORM, RATE_ORDERS, measure_curves
+from tests.exact.motion import Motion
+from tests.exact.pieces import Piece
 from tests.exact.polynomials import enclose_size
 from tests.exact.rational import ROUNDING, largest, nearby, norm, read, root, show, within
+from tests.exact.segments import Arc, Segment
 
-RATE_ORDERS = {"velocity": 1, "acceleration": 2, "jerk": 3, "snap": 4}
 LIMIT_ORDERS = {**RATE_ORDERS, "torque": 2, "momentum": 1}
 AXES = ("x", "y", "z")
-NORM = -1  # instead of the number of an axis
 
 
 @dataclass(frozen=True)
@@ -58,13 +59,16 @@ def _split(name: str, bounds: Any) -> list[tuple[int, fmpq, str]]:
 
 def measure(motion: Motion, segment: Segment, name: str, axis: int) -> tuple[arb, float]:
     """The maximum of one limited quantity on a segment, and what it would be if nothing cancelled."""
+    if not segment.moves:
+        total = norm(motion.momentum) if name == "momentum" else arb(0)
+        return total, float(total.mid())
+    if segment.curved:
+        return measure_curves(motion, segment, name, axis)
     if name in RATE_ORDERS:
         order = RATE_ORDERS[name]
-        return _scale(segment, part(segment.axis, axis) / segment.length, order), float(segment.gross(order))
+        return _scale(segment, part(segment.axis, axis) / segment.length, order), segment.gross(order)
     if name == "momentum":
         return _measure_momentum(motion, segment, axis)
-    if not segment.moves:
-        return arb(0), 0.0
     if not motion.wheels:
         return _measure_external(motion, segment, axis)
     return _measure_wheels(motion, segment, axis)
@@ -75,11 +79,11 @@ def part(vector: list, axis: int) -> arb:
     return norm(vector) if axis == NORM else arb(abs(vector[axis]))
 
 
-def _scale(segment: Segment, factor: arb, order: int) -> arb:
+def _scale(segment: Arc, factor: arb, order: int) -> arb:
     return factor * segment.size(order)
 
 
-def _gross_factor(motion: Motion, segment: Segment) -> float:
+def _gross_factor(motion: Motion, segment: Arc) -> float:
     """What (J n)_i is at most if nothing cancels."""
     return max(
         sum(abs(float(x)) * abs(float(a)) for x, a in zip(row, segment.axis, strict=True))
@@ -87,19 +91,19 @@ def _gross_factor(motion: Motion, segment: Segment) -> float:
     )
 
 
-def _measure_momentum(motion: Motion, segment: Segment, axis: int) -> tuple[arb, float]:
+def _measure_momentum(motion: Motion, segment: Arc, axis: int) -> tuple[arb, float]:
     """|J n φ'| + |H|, or by axis."""
     carried, _ = motion.carry(segment)
     total = norm(motion.momentum)
-    gross = _gross_factor(motion, segment) * float(segment.gross(1)) + float(total.mid())
+    gross = _gross_factor(motion, segment) * segment.gross(1) + float(total.mid())
     return _scale(segment, part(carried, axis) / segment.length, 1) + total, gross
 
 
-def _measure_external(motion: Motion, segment: Segment, axis: int) -> tuple[arb, float]:
+def _measure_external(motion: Motion, segment: Arc, axis: int) -> tuple[arb, float]:
     """|J n φ'' + (n × J n) φ'²|, or by axis."""
     carried, turned = motion.carry(segment)
     square = segment.squared_length
-    gross = _gross_factor(motion, segment) * (float(segment.gross(2)) + 2 * float(segment.gross(1)) ** 2)
+    gross = _gross_factor(motion, segment) * (segment.gross(2) + 2 * segment.gross(1) ** 2)
     if axis == NORM:
         # J n and n × J n are at right angles
         a = sum(x * x for x in carried) / square
@@ -114,13 +118,13 @@ def _measure_external(motion: Motion, segment: Segment, axis: int) -> tuple[arb,
     return maximum / segment.length, gross
 
 
-def _measure_wheels(motion: Motion, segment: Segment, axis: int) -> tuple[arb, float]:
+def _measure_wheels(motion: Motion, segment: Arc, axis: int) -> tuple[arb, float]:
     """|J n φ''| + |H| |φ'|, or by axis |(J n)_i φ''| + |H| √(1 - n_i²) |φ'|."""
     carried, _ = motion.carry(segment)
     square = segment.squared_length
     factor, total = part(carried, axis) / segment.length, norm(motion.momentum)
     aslant = arb(1) if axis == NORM else root((square - segment.axis[axis] ** 2) / square)
-    gross = _gross_factor(motion, segment) * float(segment.gross(2)) + float((total * segment.gross(1)).mid())
+    gross = _gross_factor(motion, segment) * segment.gross(2) + float(total.mid()) * segment.gross(1)
     if factor.is_zero():
         return _scale(segment, total * aslant, 1), gross
     # the larger of both senses is the sum of the sizes

@@ -22,6 +22,7 @@ from typing import Any
 import numpy as np
 
 from tests.exact.alterations import ALTERATIONS
+from tests.exact.curve_alterations import CURVE_ALTERATIONS, is_curved
 from tests.exact.judge import judge
 from tests.exact.problems import PROBLEMS, list_laws
 from tests.exact.rearrangements import REARRANGEMENTS
@@ -33,6 +34,7 @@ from timelaw.law_file import from_document
 RECORD = ("certificate", "nodes", "provenance", "timelaw")
 ACCEPTED, FOUND, REFUSED, CRASHED = "accepted", "found", "refused", "crashed"
 FAILED = ("accepted though broken", "crashed", "a law that is not accepted")
+CURVED = 0.5  # of the alterations of laws that have rational segments are such as only these can have
 CHUNK = 25  # mutations a process takes at once
 
 Document = dict[str, Any]
@@ -86,7 +88,8 @@ def alter(laws: dict[str, Document], seed: int, number: int) -> tuple[str, str, 
     rng = Random(f"{seed}/{number}")
     name = rng.choice(sorted(laws))
     document = copy.deepcopy(laws[name])
-    change = rng.choice(ALTERATIONS if rng.random() < 0.6 else REARRANGEMENTS)
+    own = CURVE_ALTERATIONS if is_curved(document) and rng.random() < CURVED else ()
+    change = rng.choice(own or (ALTERATIONS if rng.random() < 0.6 else REARRANGEMENTS))
     return name, change(rng, document), document
 
 

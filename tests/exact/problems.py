@@ -1,4 +1,4 @@
-"""Certified laws that are altered: small designs with every easing and limit, and the committed results."""
+"""Certified laws that are altered: small designs of all kinds, laws of curves, and the committed results."""
 
 import json
 from functools import cache
@@ -6,6 +6,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
+from tests.exact.curve_laws import list_curve_laws
 from timelaw import design
 from timelaw.export import format_law
 
@@ -72,4 +73,4 @@ def read_results() -> dict[str, dict[str, Any]]:
 
 def list_laws(names: tuple[str, ...] = tuple(PROBLEMS)) -> dict[str, dict[str, Any]]:
     """Laws to alter, by name."""
-    return {**{name: make_law(name) for name in names}, **read_results()}
+    return {**{name: make_law(name) for name in names}, **list_curve_laws(), **read_results()}

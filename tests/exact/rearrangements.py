@@ -5,14 +5,19 @@ from collections.abc import Callable
 from random import Random
 from typing import Any
 
+from tests.exact.curve_alterations import NUDGES, insert_curve_spike
 from tests.exact.documents import dwell
 
 Document = dict[str, Any]
-NUDGES = (1e-15, 1e-13, 1e-12, 1e-10, 1e-9, 1e-7, 1e-5, 1e-2, 1.0)
+LEGS = ("arc", "rational")
 
 
-def _choose_arc(rng: Random, document: Document) -> dict[str, Any]:
-    return rng.choice([segment for segment in document["segments"] if segment["kind"] == "arc"])
+def _choose_leg(rng: Random, document: Document, kinds: tuple[str, ...] = LEGS) -> dict[str, Any]:
+    return rng.choice([segment for segment in document["segments"] if segment["kind"] in kinds])
+
+
+def _has_arcs(document: Document) -> bool:
+    return any(segment["kind"] == "arc" for segment in document["segments"])
 
 
 def _sum_starts(document: Document) -> None:
@@ -58,14 +63,14 @@ def swap_segments(rng: Random, document: Document) -> str:
 
 def delete_piece(rng: Random, document: Document) -> str:
     """One piece less."""
-    pieces = _choose_arc(rng, document)["pieces"]
+    pieces = _choose_leg(rng, document)["pieces"]
     del pieces[rng.randrange(len(pieces))]
     return "a piece deleted"
 
 
 def swap_pieces(rng: Random, document: Document) -> str:
     """A piece in another place, or repeated where there is one only."""
-    pieces = _choose_arc(rng, document)["pieces"]
+    pieces = _choose_leg(rng, document)["pieces"]
     pieces.insert(rng.randrange(len(pieces)), pieces[-1])
     if len(pieces) > 2:
         pieces.pop()
@@ -74,7 +79,9 @@ def swap_pieces(rng: Random, document: Document) -> str:
 
 def insert_spike(rng: Random, document: Document) -> str:
     """A short piece whose highest rate is large, after which the next one begins where it began before."""
-    pieces = _choose_arc(rng, document)["pieces"]
+    if not _has_arcs(document):
+        return insert_curve_spike(rng, document)
+    pieces = _choose_leg(rng, document, LEGS[:1])["pieces"]
     index = rng.randrange(len(pieces))
     spike = copy.deepcopy(pieces[index])
     spike["duration"] = 10 ** rng.uniform(-30, -10)
@@ -85,7 +92,9 @@ def insert_spike(rng: Random, document: Document) -> str:
 
 def insert_jump(rng: Random, document: Document) -> str:
     """A short piece in which one of the rates is another one."""
-    pieces = _choose_arc(rng, document)["pieces"]
+    if not _has_arcs(document):
+        return insert_curve_spike(rng, document)
+    pieces = _choose_leg(rng, document, LEGS[:1])["pieces"]
     index = rng.randrange(len(pieces))
     jump = copy.deepcopy(pieces[index])
     jump["duration"] = 10 ** rng.uniform(-30, -14)
@@ -139,10 +148,10 @@ def stretch_all(rng: Random, document: Document) -> str:
 
 def scale_piece_time(rng: Random, document: Document) -> str:
     """A piece and its segment both shorter, with times that add up."""
-    arc = _choose_arc(rng, document)
-    piece = rng.choice(arc["pieces"])
+    leg = _choose_leg(rng, document)
+    piece = rng.choice(leg["pieces"])
     piece["duration"] *= 1 - rng.choice(NUDGES[:-1])
-    arc["duration"] = sum(p["duration"] for p in arc["pieces"])
+    leg["duration"] = sum(p["duration"] for p in leg["pieces"])
     _sum_starts(document)
     return "a piece shortened, times summed"
 
@@ -157,7 +166,7 @@ def add_own_limit(rng: Random, document: Document) -> str:
     """A limit of a segment of its own."""
     name = rng.choice(("velocity", "acceleration", "jerk", "snap"))
     value = 10 ** rng.uniform(-3, 5)
-    _choose_arc(rng, document).setdefault("limits", {})[name] = value
+    _choose_leg(rng, document).setdefault("limits", {})[name] = value
     return f"an own limit on the {name}"
 
 

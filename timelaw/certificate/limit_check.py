@@ -111,11 +111,11 @@ def _join_pieces(
 def check_limits(peaks: Sequence[LegPeak]) -> tuple[LimitCheck, ...]:
     """Every limit that the law carries, axis by axis where it is given so, general ones first.
 
-    Legs of one name may have limits of their own: each bound is a limit.
+    Legs of one name may have limits of their own: each bound is a limit, but for what rounding makes of it.
     """
-    groups: dict[tuple[str, float], list[LegPeak]] = defaultdict(list)
+    groups: dict[tuple[str, str], list[LegPeak]] = defaultdict(list)
     for peak in peaks:
-        groups[peak.label, peak.row.bound].append(peak)
+        groups[peak.label, f"{peak.bound:.12e}"].append(peak)
     names = sorted(groups, key=lambda key: " on " in key[0])
     return tuple(_check(groups[name]) for name in names)
 
@@ -124,6 +124,8 @@ def _check(peaks: Sequence[LegPeak]) -> LimitCheck:
     """One limit over all segments that have it."""
     top = max(peaks, key=lambda peak: peak.peak)
     row, upper = top.row, float(np.max([peak.upper for peak in peaks]))
+    bound = min(peak.bound for peak in peaks)
+    note = next((peak.row.note for peak in peaks if peak.row.note), "")
     return LimitCheck(
-        top.label, top.bound, top.peak, upper, top.time, top.segment, row.unit, max(row.orders), row.note
+        top.label, bound, top.peak, upper, top.time, top.segment, row.unit, max(row.orders), note
     )

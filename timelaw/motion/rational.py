@@ -89,8 +89,10 @@ class Rational(Moving):
         value = np.empty((*tau.shape, 4 if order == 0 else 3))
         for k in np.unique(index):
             here = index == k
-            first, last = self.breaks[k], self.breaks[k + 1]
-            value[here] = self.pieces[k](np.clip((tau[here] - first) / (last - first), 0.0, 1.0), order)
+            first, width = self.breaks[k], self.breaks[k + 1] - self.breaks[k]
+            # the last piece may be shorter than times are told apart
+            part = (tau[here] - first) / width if width else np.ones(np.count_nonzero(here))
+            value[here] = self.pieces[k](np.clip(part, 0.0, 1.0), order)
         return value
 
     def axis_at(self, end: int) -> None:  # noqa: ARG002
@@ -98,11 +100,11 @@ class Rational(Moving):
         return
 
     def rates(self, order: int) -> list[Quotient]:
-        """The size of the k-th rate on each piece: √(X_k·X_k/D^2k)."""
+        """The size of the k-th rate on each piece: √(X_k·X_k/(hD)^2k)."""
         found = []
         for piece in self.pieces:
-            numerator = piece.numerators(order)[order]
-            found.append(Quotient(dot(numerator, numerator), piece.power(2 * order), 2))
+            numerator = piece.form.numerators(order)[order]
+            found.append(Quotient(dot(numerator, numerator), piece.form.power(2 * order), 2))
         return found
 
     def side(self, order: int, end: int) -> Array:
@@ -116,22 +118,28 @@ class Rational(Moving):
         return np.array([b[0] - a[1] for a, b in pairwise(values)]).reshape(-1, 3)
 
     def sum_rate(self, order: int) -> float:
-        """Σ h √(mean of |k-th rate|² on the piece)."""
+        """∫ |k-th rate| dt, by quadrature on parts where D is even: no spike stands for all of its piece."""
         nodes, weights = _quadrature()
-        squares = [weights @ np.sum(piece(nodes, order) ** 2, axis=-1) for piece in self.pieces]
-        return fsum(p.duration * float(mean) ** 0.5 for p, mean in zip(self.pieces, squares, strict=True))
+        terms = []
+        for piece in self.pieces:
+            for form in piece.forms:
+                width = form.end - form.start
+                sizes = np.linalg.norm(piece(form.start + width * nodes, order), axis=-1)
+                terms.append(piece.duration * width * float(weights @ sizes))
+        return fsum(terms)
 
     def quantities(self, limits: Sequence[Limit], total: Vector) -> Iterator[Quantity]:
-        """Every limit's own formula in the numerators, over D to the limit's power of time."""
-        breaks = self.breaks.tolist()
-        for piece, start, end in zip(self.pieces, breaks[:-1], breaks[1:], strict=True):
-            rates = piece.numerators(max((limit.highest for limit in limits), default=1))
-            seen = piece.turn_back(total)
-            for limit in limits:
-                for formula in limit.of(rates, seen):
-                    row = FormulaRow(limit.name, formula, limit.unit, limit.highest)
-                    value = Quotient(formula.value, piece.power(limit.power * formula.root))
-                    yield Quantity(row, value, start, end)
+        """Every limit's own formula in the numerators, over hD to the limit's power of time."""
+        highest = max((limit.highest for limit in limits), default=1)
+        for piece, first, width in zip(self.pieces, self.breaks[:-1], np.diff(self.breaks), strict=True):
+            for form in piece.forms:
+                rates, seen = form.numerators(highest), form.turn_back(total)
+                start, end = (float(first + width * u) for u in (form.start, form.end))
+                for limit in limits:
+                    for formula in limit.of(rates, seen):
+                        row = FormulaRow(limit.name, formula, limit.unit, limit.highest)
+                        value = Quotient(formula.value, form.power(limit.power * formula.root))
+                        yield Quantity(row, value, start, end)
 
     def own_quantities(self) -> Iterator[Quantity]:
         """How far it leaves the arc of its leg, where that is limited."""

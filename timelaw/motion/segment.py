@@ -119,7 +119,7 @@ class Segment(Protocol):
         ...
 
     def sum_rate(self, order: int) -> float:
-        """∫ |k-th rate| dt over it, or a little more: that of its root mean square on each piece."""
+        """∫ |k-th rate| dt over it, or a little more: that of root mean squares where there are no spikes."""
         ...
 
     def quantities(self, limits: Sequence[Limit], total: Vector) -> Iterator[Quantity]:

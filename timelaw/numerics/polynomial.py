@@ -9,7 +9,7 @@ import numpy as np
 
 from timelaw.numerics.array import Array, freeze
 from timelaw.numerics.ball import ABOVE, Ball
-from timelaw.numerics.bernstein import UNIT_ROUNDOFF, elevate, evaluate, integrate_square
+from timelaw.numerics.bernstein import UNIT_ROUNDOFF, elevate, evaluate, halving_matrix, integrate_square
 from timelaw.numerics.extrema import Peak, enclose_polynomials
 
 SCALAR_ROUNDING = 16 * UNIT_ROUNDOFF  # scalars are powers and quotients, themselves rounded a few times
@@ -42,12 +42,24 @@ class Polynomial:
         """Largest control point, a bound on |p|."""
         return float(np.max(np.abs(self.control)))
 
+    @property
+    def finite(self) -> bool:
+        """Whether control points and their error are numbers within the range of doubles."""
+        return bool(np.isfinite(self.error) and np.all(np.isfinite(self.control)))
+
     def raised(self, degree: int) -> "Polynomial":
         """The same polynomial in a form of a degree that is not lower; means of two, each rounded thrice."""
         if self.degree == degree:
             return self
         rounding = 4 * degree * UNIT_ROUNDOFF * self.size
         return Polynomial(elevate(self.control, degree), self.error + rounding)
+
+    def halve(self) -> tuple["Polynomial", "Polynomial"]:
+        """The same polynomial on [0, 1/2] and on [1/2, 1], both over [0, 1]."""
+        count = self.degree + 1
+        both = halving_matrix(self.degree) @ self.control
+        error = self.error + 2 * (count + 1) * UNIT_ROUNDOFF * self.size
+        return Polynomial(both[:count], error), Polynomial(both[count:], error)
 
     def derive(self, duration: float) -> "Polynomial":
         """d/dt, u = t/duration: n (c_(j+1) - c_j)/h, of degree 0 where there is nothing left."""

@@ -8,6 +8,7 @@ and denominator apart would close in linearly only.
 from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import inf
 
 import numpy as np
 from numpy.typing import NDArray
@@ -46,11 +47,17 @@ class Quotient:
 
     @classmethod
     def enclose_all(cls, functions: Sequence["Quotient"]) -> list[Peak]:
-        """Max |f| of each on [0, 1], rounding in the upper bound; infinite where den > 0 is not proved."""
+        """Max |f| of each on [0, 1], rounding in the upper bound.
+
+        Infinite where den > 0 is not proved, or where a control point is beyond doubles.
+        """
         by_degree: dict[int, list[int]] = defaultdict(list)
-        for index, function in enumerate(functions):
-            by_degree[function.degree].append(index)
         found: dict[int, Peak] = {}
+        for index, function in enumerate(functions):
+            if function.num.finite and function.den.finite:
+                by_degree[function.degree].append(index)
+            else:
+                found[index] = Peak(inf, inf, 0.0)
         for degree, indices in by_degree.items():
             nums = [functions[i].num.raised(degree) for i in indices]
             dens = [functions[i].den.raised(degree) for i in indices]
@@ -79,6 +86,9 @@ def _enclose(nums: Sequence[Polynomial], dens: Sequence[Polynomial]) -> list[Pea
         hull, plain, loss = _bound(boxes, errors)
         # where rounding is more than halving could still gain, a box is done
         open_ = plain > np.maximum(lower[owner] * (1 + GAP), FLOOR) + loss
+        # where the denominator is lost in rounding at a point there is no bound, however often it is halved
+        lost = np.any(boxes[:, 1, [0, -1]] <= errors[:, 1, None], axis=1)
+        open_ &= ~np.isin(owner, owner[lost])
         if depth == DEPTH or np.count_nonzero(open_) > MOST_PIECES * count:
             open_[:] = False
         np.maximum.at(upper, owner[~open_], hull[~open_])
