@@ -14,7 +14,7 @@ route:
 limits:
   velocity: 60 deg/s
 """
-KEYS = "timelaw, name, route, body, limits, nodes, segments, easing, objective, baselines, output"
+KEYS = "timelaw, name, route, body, limits, nodes, motion, segments, easing, objective, baselines, output"
 LIMITS = "velocity, acceleration, jerk, snap, torque, momentum"
 LATTICES = "16-cell, tesseract, 24-cell, 600-cell, 120-cell"
 

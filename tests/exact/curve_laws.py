@@ -8,13 +8,13 @@ from itertools import pairwise
 from typing import Any
 
 import numpy as np
+from timelaw.through.rate_limits import RateLimits
 
 from tests.exact.documents import ONE, X, arc, document, dwell, quintic, rational, unit
 from tests.exact.handmade import ASLANT, follow
 from timelaw.certificate import certify
 from timelaw.export import format_law
 from timelaw.law_file import from_document
-from timelaw.through.rate_limits import RateLimits
 from timelaw.through.search import improve
 from timelaw.through.start import align_signs, begin
 
