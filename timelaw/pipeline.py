@@ -62,6 +62,11 @@ class Design(Layout):
     through: Through | None = None
 
     @property
+    def stopped_early(self) -> bool:
+        """Whether the time limit ended the search for the law."""
+        return self.solution.stopped_early or (self.through is not None and self.through.stopped_early)
+
+    @property
     def laws(self) -> tuple[Certified, ...]:
         """The optimised law, then the baselines."""
         return (self.optimised, *self.baselines)

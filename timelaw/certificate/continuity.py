@@ -40,8 +40,8 @@ class NodeReport:
 
     @property
     def passed(self) -> bool:
-        """Whether the body goes straight on there at speed."""
-        return self.kind == "straight" and self.moving
+        """Whether the body goes on there at speed."""
+        return self.kind in ("straight", "passed") and self.moving
 
     def to_dict(self) -> dict[str, Any]:
         """As the law file has it."""

@@ -13,6 +13,7 @@ from timelaw.export.samples_csv import refuse_too_many_rows
 from timelaw.pipeline import Design, Layout, design_layout, lay_out
 from timelaw.report import LawRow, list_law_rows, render_report
 from timelaw.report.outcome import describe_outcome, measure_gain
+from timelaw.report.passing_text import describe_rungs
 from timelaw.report.tour_text import describe_moves
 from timelaw.requirements.route_limit import find_route_limit
 from timelaw.results_folder import repair_results, write_results
@@ -51,10 +52,11 @@ def run(problem: str, output: str | None, *, as_json: bool) -> int:
                 "ok": code == EXIT_DONE,
                 "exit_code": code,
                 "name": done.problem.name,
-                "stopped_early": done.solution.stopped_early,
+                "stopped_early": done.stopped_early,
                 "files": [str(folder / name) for name in files],
                 "laws": [row.to_dict() for row in rows],
                 **_objective(done),
+                **_passing(done),
                 "certificate": certificate.to_dict(),
                 "findings": [*certificate.findings(), *left_out.values()],
             }
@@ -84,6 +86,23 @@ def _objective(done: Design) -> dict[str, Any]:
     return {"objective": {"minimise": gain.objective.name, **found, "gained": gain.part}}
 
 
+def _passing(done: Design) -> dict[str, Any]:
+    """How many nodes are passed, and what each rung of the search came to."""
+    if done.through is None:
+        return {}
+    passages = [
+        {
+            "from": done.route.nodes[passage.first].label,
+            "to": done.route.nodes[passage.last].label,
+            "passed": passage.curve is not None,
+            "stopping_time": passage.stopping,
+            "rungs": [vars(rung) for rung in passage.rungs],
+        }
+        for passage in done.through.passages
+    ]
+    return {"through": {"passed": done.through.passed, "passages": passages}}
+
+
 def list_files(
     done: Design, path: Path, samples: dict[str, str | bytes] | None = None
 ) -> dict[str, str | bytes]:
@@ -97,7 +116,8 @@ def list_files(
             for s in done.solution.solutions
         ],
     }
-    if done.solution.stopped_early:
+    provenance |= _passing(done)
+    if done.stopped_early:
         provenance["stopped_early"] = True
     law = done.optimised.law
     return {
@@ -143,7 +163,9 @@ def _print(done: Design, rows: list[LawRow], folder: Path) -> None:
         say(sentence)
     for sentence in describe_moves(done.orientations, done.route):
         say(sentence)
-    for status in sorted({s.describe() for s in done.solution.solutions}):
+    for status in sorted({s.describe() for s in done.solution.solutions}) if done.through is None else ():
         say(f"{done.family.label}: {status}")
+    for line in describe_rungs(done.route, done.through) if done.through is not None else ():
+        say(line)
     verdict = "certified: all limits hold for all t" if rows[0].holds else "NOT certified"
     say(f"{verdict}; report: {folder / 'report.html'}")

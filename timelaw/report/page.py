@@ -23,7 +23,9 @@ def render_report(design: Design, digest: str) -> dict[str, str]:
     )
     environment = _environment()
     sections = [
-        {"title": section.title, "body": _render_body(environment, section, facts)} for section in SECTIONS
+        {"title": section.title, "body": _render_body(environment, section, facts)}
+        for section in SECTIONS
+        if section.applies(design)
     ]
     page = environment.get_template("report.html").render(problem=design.problem, sections=sections)
     return {"report.html": page, **pictures}

@@ -8,9 +8,11 @@ from timelaw.certificate.farthest import find_farthest
 from timelaw.objectives import OBJECTIVES
 from timelaw.pipeline import Design
 from timelaw.report.rotation_spline import time_rotation_spline
+from timelaw.route import Route
 from timelaw.through.passage import Passage, Through
 from timelaw.time_law.baselines import time_double_s, time_quintic
 
+SHOWN = 5  # passages, of which the terminal tells
 NOTICEABLE = 1e-9  # relative; two baselines nearer than that are one
 
 
@@ -84,3 +86,19 @@ def _name_places(passages: Sequence[Passage], labels: Sequence[str]) -> str:
     names = [f"from {labels[p.first]} to {labels[p.last]}" for p in passages]
     more = f" and {len(names) - 3} more" if len(names) > 3 else ""
     return ", ".join(names[:3]) + more
+
+
+def describe_rungs(route: Route, through: Through) -> list[str]:
+    """What each rung of the search came to, passage by passage of one time."""
+    found = []
+    for passage in through.passages:
+        tried = [
+            f"{rung.pieces} piece{'s' if rung.pieces > 1 else ''} of degree {rung.degree} a leg: "
+            + (f"{rung.time:.6g} s in {rung.steps} steps" if rung.time else f"none in {rung.steps} steps")
+            for rung in passage.rungs
+        ]
+        if tried:
+            ends = f"{route.nodes[passage.first].label} to {route.nodes[passage.last].label}"
+            found.append(f"{ends}: {'; '.join(tried)}")
+    more = len(found) - SHOWN
+    return [*found[:SHOWN], f"and {more} passages more"] if more > 0 else found

@@ -27,8 +27,9 @@ class Facts:
 
 @dataclass(frozen=True)
 class Section:
-    """A title, empty for none, the template of its body, and what the template is filled with."""
+    """A title, empty for none, the template of its body, what it is filled with, and to what it applies."""
 
     title: str
     template: str
     context: Callable[[Facts], dict[str, Any]]
+    applies: Callable[[Design], bool] = lambda _: True

@@ -26,14 +26,14 @@ def draw_traces(name: str, route: Route) -> str:
         nodes = rotation_matrix(route.orientation(np.arange(legs + 1.0)))
         for index, (axis, colour) in enumerate(AXES):
             ax: Any = figure.add_subplot(1, 3, index + 1, projection="3d")
-            _globe(ax)
+            draw_globe(ax)
             ax.plot(*path[:, :, index].T, color=colour, linewidth=1.2)
             ax.scatter(*nodes[:, :, index].T, color=colour, s=10, depthshade=False)
             ax.set_title(f"body axis {axis}", fontsize=9)
         return render_svg(figure, name)
 
 
-def _globe(ax: Any) -> None:
+def draw_globe(ax: Any) -> None:
     """Parallels and meridians, thin."""
     angle = np.linspace(0, 2 * np.pi, 73)
     for latitude in np.radians([-60, -30, 0, 30, 60]):

@@ -9,6 +9,7 @@ ORDER = (
     "laws",
     "rates",
     "limits",
+    "passing",
     "easings",
     "continuity",
     "solved",

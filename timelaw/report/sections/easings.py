@@ -14,4 +14,4 @@ def _context(facts: Facts) -> dict[str, Any]:
     return {"arcs": list(zip(design.route.legs, law.legs, timings, moving, strict=True))}
 
 
-SECTION = Section("Easings and durations", "easings.html", _context)
+SECTION = Section("Easings and durations", "easings.html", _context, lambda design: design.through is None)

@@ -28,4 +28,4 @@ def _describe(goal: Goal) -> str:
     return f"least {objective.words} in a total time of {goal.total_time.value:g} {unit}"
 
 
-SECTION = Section("How it was solved", "solved.html", _context)
+SECTION = Section("How it was solved", "solved.html", _context, lambda design: design.through is None)

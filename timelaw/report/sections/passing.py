@@ -1,0 +1,28 @@
+"""Past the nodes: how the arcs are left, leg by leg, and what each rung of the search came to."""
+
+from typing import Any
+
+import numpy as np
+
+from timelaw.numerics.function import enclose_peaks
+from timelaw.report.active_limits import list_active
+from timelaw.report.section import Facts, Section
+
+
+def _context(facts: Facts) -> dict[str, Any]:
+    design = facts.design
+    law = design.optimised.law
+    active = list_active(design.optimised.certificate)
+    rows = []
+    for index, segment in enumerate(law.segments):
+        if not segment.moves:
+            continue
+        parts = list(segment.list_deviations())
+        tops = enclose_peaks([part.value for part in parts])
+        angle = max((part.row.size(top.upper) for part, top in zip(parts, tops, strict=True)), default=0.0)
+        speed = float(np.linalg.norm(segment.side(1, -1)))
+        rows.append((segment, angle, speed, active[index]))
+    return {"rows": rows, "passages": design.through.passages if design.through else ()}
+
+
+SECTION = Section("Past the nodes", "passing.html", _context, lambda design: design.through is not None)
