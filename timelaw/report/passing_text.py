@@ -12,6 +12,7 @@ from timelaw.route import Route
 from timelaw.through.passage import Passage, Through
 from timelaw.time_law.baselines import time_double_s, time_quintic
 
+COUNT_STOPS = ("fastest", "fewest-stops")  # tours that are best for a motion that stops
 SHOWN = 5  # passages, of which the terminal tells
 NOTICEABLE = 1e-9  # relative; two baselines nearer than that are one
 
@@ -25,6 +26,10 @@ def describe_passing(design: Design, through: Through) -> list[str]:
         found.append(
             f"SciPy's RotationSpline through the same nodes takes {spline.duration:.6g} s under the same "
             f"limits (sampled, not proved): its jerk jumps, and it moves at its ends, at {ends} deg/s."
+        )
+    if through.passed and design.problem.route.tour in COUNT_STOPS:
+        found.append(
+            f"The tour, {design.problem.route.tour}, counts stops that are not made: try shortest too."
         )
     farthest = find_farthest(design.optimised.law)
     if farthest is not None:
