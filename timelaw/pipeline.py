@@ -23,7 +23,7 @@ from timelaw.requirements.given_times import list_budgets
 from timelaw.route import Route, lay_route
 from timelaw.through.given_route import is_given, resolve_given
 from timelaw.through.passage import Through, find_passages
-from timelaw.through.stopping import choose_stopping, relax
+from timelaw.through.stopping import list_stopping, relax
 from timelaw.time_law import BASELINES, TimeLaw
 from timelaw.time_law.time_law import OPTIMISED_LAW, STOPPING_LAW
 from timelaw.tours import Tour, find_tour
@@ -115,8 +115,8 @@ def design_through(layout: Layout, progress: Progress | None = None) -> Design:
         if is_given(problem, requirements):
             family, solution, kept, proved = _design_given(layout, progress)
         else:
-            kept, stopping = requirements, choose_stopping(problem, requirements)
-            family, solution = optimise(stopping, route, requirements, progress)
+            kept = requirements
+            family, solution = _stop(problem, route, requirements, progress)
             through = find_passages(problem, route, requirements, solution.timings, progress)
             proved = prove_passages(problem, route, requirements, through, solution.timings)
     through, law, certificate = proved
@@ -145,7 +145,7 @@ def _design_given(
         family, solution = optimise(asked, route, requirements, progress)
     except InfeasibleError:  # what stops cannot; what passes the nodes may
         kept = relaxed
-        family, solution = optimise(choose_stopping(free, relaxed), route, relaxed, progress)
+        family, solution = _stop(free, route, relaxed, progress)
     given = resolve_given(asked, route, requirements, solution.timings)
     own = solution.timings if kept is requirements else None
     time = sum_durations(solution.timings)
@@ -153,9 +153,17 @@ def _design_given(
     return family, solution, kept, proved
 
 
+def _stop(
+    problem: Problem, route: Route, requirements: Requirements, progress: Progress | None = None
+) -> tuple[Family, Timings]:
+    """The fastest law that stops."""
+    found = [optimise(asked, route, requirements, progress) for asked in list_stopping(problem, requirements)]
+    return min(found, key=lambda one: sum_durations(one[1].timings))
+
+
 def _resolve_total_time(layout: Layout, free: Problem, relaxed: Requirements) -> Problem:
     """The problem with the total time in seconds that it gives as a multiple of the least one."""
-    _, least = optimise(choose_stopping(free, relaxed), layout.route, relaxed)
+    _, least = _stop(free, layout.route, relaxed)
     given = resolve_given(layout.problem, layout.route, layout.requirements, least.timings)
     legs = given.given.budgets[-1][1]
     total = TotalTime(legs + layout.requirements.dwell_time)

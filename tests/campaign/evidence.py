@@ -135,14 +135,21 @@ class Evidence:
         """Of one rate, what is outside the motion included."""
         law, legs = self.law, [s for s in self.law.segments if s.moves]
         left, right = (np.array(law(law.times, order, side)) for side in ("left", "right"))
-        left[0] = self.spec.end_rates("start")[order - 1] * np.asarray(legs[0].axis_at(0))
-        right[-1] = self.spec.end_rates("end")[order - 1] * np.asarray(legs[-1].axis_at(-1))
+        left[0] = self.spec.end_rates("start")[order - 1] * self._axis(legs[0], 0)
+        right[-1] = self.spec.end_rates("end")[order - 1] * self._axis(legs[-1], -1)
         sizes = np.linalg.norm(right - left, axis=1) / (self.scale[order] or 1.0)
         return [(float(size), order, f"at t = {t:.9g}") for t, size in zip(law.times, sizes, strict=True)]
+
+    def _axis(self, segment, end: int) -> np.ndarray:
+        """About which rates at an end are given: the leg's."""
+        axis = segment.axis_at(end)
+        return self.legs[end].axis if axis is None else np.asarray(axis)
 
     @cached_property
     def beyond(self) -> float:
         """The largest part of a leg by which the body leaves its arc and comes back; no law is wrong for it."""
+        if self.spec.through:
+            return 0.0
         turned, worst = 0.0, 0.0
         legs = iter(self.legs)
         moving = [s.moves for s in self.law.segments]

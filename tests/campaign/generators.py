@@ -8,6 +8,7 @@ import numpy as np
 from tests.campaign import least, settings, times
 from tests.campaign.attitude import about
 from tests.campaign.legs import lay
+from tests.campaign.passing import ask_to_pass
 from tests.campaign.scenes import NEARLY, SCENES, random_axis, written
 from tests.campaign.spec import read_spec
 
@@ -17,6 +18,7 @@ ORDER = (
     "route",
     "body",
     "limits",
+    "motion",
     "nodes",
     "segments",
     "easing",
@@ -211,6 +213,17 @@ def boundary(draft: Draft) -> None:
     draft.ease()
 
 
+def passing(draft: Draft) -> None:
+    """Any other kind of problem, past the nodes without a stop."""
+    kinds = (least_time, by_axis, snap, torque, rules, durations, arrivals, effort, weight, moving)
+    kinds[int(draft.rng.choice(len(kinds), p=[0.3, 0.1, 0.05, 0.15, 0.1, *[0.06] * 5]))](draft)
+    draft.data.pop("easing", None)
+    nodes = draft.data.get("nodes", {})
+    if nodes.get("continuity", 2) > 3:
+        nodes["continuity"] = 3
+    draft.data["motion"] = ask_to_pass(draft.rng, draft.data)
+
+
 KINDS = {
     f.__name__: (f, share)
     for f, share in (
@@ -225,9 +238,10 @@ KINDS = {
         (weight, 2),
         (moving, 4),
         (boundary, 3),
+        (passing, 6),
     )
 }
-SELDOM = {"snap": 0.5}  # among small cases: these cost most
+SELDOM = {"snap": 0.5, "passing": 2}  # among small cases: these cost most
 BASELINES: tuple[list[str], ...] = (["quintic", "double-s"], ["quintic"], ["double-s"], [])
 
 

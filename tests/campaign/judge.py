@@ -11,7 +11,8 @@ from pathlib import Path
 
 from tests.campaign.answer_checks import ANSWER_CHECKS
 from tests.campaign.evidence import Evidence
-from tests.campaign.law_checks import LAW_CHECKS
+from tests.campaign.law_checks import LAW_CHECKS, arcs_are_kept
+from tests.campaign.passing import PASSING_CHECKS
 from tests.campaign.refusal import CONFIRMED, UNCONFIRMED, WRONG, judge_input_error, judge_refusal
 from tests.campaign.spec import read_spec
 from timelaw import design
@@ -114,5 +115,8 @@ def _refused(message: str, took: float, verdict: str, why: str) -> Result:
 
 def look(evidence: Evidence) -> Iterator[str]:
     """All that is wrong with a law."""
-    for check in (*LAW_CHECKS, *ANSWER_CHECKS):
+    checks = (*LAW_CHECKS, *ANSWER_CHECKS)
+    if evidence.spec.through:
+        checks = (*(check for check in LAW_CHECKS if check is not arcs_are_kept), *PASSING_CHECKS)
+    for check in checks:
         yield from check(evidence)

@@ -129,11 +129,16 @@ def rates_belong_together(e: Evidence) -> Iterator[str]:
             lasts = float(np.diff(e.inside(piece, np.array([a, b])))[0])
             for k in worst:
                 change = (WEIGHTS / 2 * lasts) @ within[k + 1]
-                off = (
-                    float(np.linalg.norm(now[k][1] - now[k][0] - change))
-                    if k
-                    else _turned_off(now[0], change)
-                )
+                if not k and e.spec.through:  # about no one axis: q' = ½ q ⊗ ω
+                    pure = np.concatenate([np.zeros((len(NODES), 1)), within[1]], axis=1)
+                    turned = (WEIGHTS / 2 * lasts) @ product(within[0], pure) / 2
+                    off = 2 * float(np.linalg.norm(now[0][1] - now[0][0] - turned))
+                else:
+                    off = (
+                        float(np.linalg.norm(now[k][1] - now[k][0] - change))
+                        if k
+                        else _turned_off(now[0], change)
+                    )
                 off -= clock[k] + (e.resolution(piece, k) if k else 0.0)
                 worst[k] = max(worst[k], off / (e.largest[k] if k else 1.0) if off > 0 else 0.0)
     for k, off in worst.items():

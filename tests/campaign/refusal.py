@@ -66,6 +66,13 @@ def _breaks_at_an_end(spec: Spec, legs: list[Leg]) -> bool:
 
 def judge_refusal(spec: Spec, message: str) -> tuple[str, str]:
     """Of a problem that is said to have no solution: verdict, and what speaks for it."""
+    if spec.through:
+        given = spec.timed or spec.moving or spec.objective["minimise"] != "time"
+        return (
+            (UNCONFIRMED, "no oracle knows these motions")
+            if given
+            else (WRONG, "stopping is always possible")
+        )
     factor = float(found.group(1)) if (found := FACTOR.search(message)) else None
     if factor is not None and not factor > 1:
         return WRONG, f"limits {factor:g} times as large are the ones that were given"

@@ -68,6 +68,12 @@ class Spec:
         return self.tour in SEARCHED
 
     @property
+    def through(self) -> bool:
+        """Whether the nodes are passed without a stop."""
+        motion = self.data.get("motion", "arcs")
+        return (motion["kind"] if isinstance(motion, dict) else motion) == "through"
+
+    @property
     def closed(self) -> bool:
         """Whether the body returns."""
         return bool(self.data["route"].get("closed", False))

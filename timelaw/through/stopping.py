@@ -17,17 +17,19 @@ def relax(problem: Problem, requirements: Requirements) -> tuple[Problem, Requir
     return problem.model_copy(update={"objective": Goal()}), free
 
 
-def choose_stopping(problem: Problem, requirements: Requirements) -> Problem:
-    """The problem with the easing of the stopping law: the one that is asked for, or the fastest there is.
+def list_stopping(problem: Problem, requirements: Requirements) -> list[Problem]:
+    """The problem with the easings of laws that stop, of which the fastest counts.
 
-    The double-S profile is that where limits are on rates alone, nothing else is given, and it is as smooth
-    as is asked.
+    The one that is asked for, where one is, or anything is given besides limits. Else the double-S profile,
+    where it is as smooth as is asked; under limits that tie rates together the solver's beside it, which may
+    be faster.
     """
     demands = requirements.demands
     given = "easing" in problem.model_fields_set or problem.objective.minimise != "time"
     given |= bool(requirements.arrivals) or any(d.duration is not None for d in demands)
     given |= any(requirements.start) or any(requirements.end)
     rough = any(classify_profile([demand]) < problem.nodes.continuity for demand in demands)
-    if given or rough or any(has_coupling(demand.rows) for demand in demands):
-        return problem
-    return problem.model_copy(update={"easing": EasingModel(basis="double-s")})
+    if given or rough:
+        return [problem]
+    profile = problem.model_copy(update={"easing": EasingModel(basis="double-s")})
+    return [profile, problem] if any(has_coupling(demand.rows) for demand in demands) else [profile]
