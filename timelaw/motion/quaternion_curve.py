@@ -45,6 +45,11 @@ class QuaternionCurve:
             rates.append(rate / square[0][..., None])
         return rates[-1]
 
+    def squares(self, u: Array, order: int) -> list[Array]:
+        """D and its first derivatives (m,) in time at u (m,)."""
+        q = [self._derivative(u, k) for k in range(order + 1)]
+        return [_sum_products(q, k) for k in range(order + 1)]
+
     def _derivative(self, u: Array, order: int) -> Array:
         """The k-th derivative of Q (m, 4) in time."""
         points = differentiate(self.control.T, order) / self.duration**order
