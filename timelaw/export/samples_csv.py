@@ -10,6 +10,8 @@ from timelaw.export.exporter import Exporter
 from timelaw.motion import QuaternionLaw
 
 COLUMNS = "t,qw,qx,qy,qz,wx,wy,wz,ax,ay,az,jx,jy,jz"
+PLACE_COLUMNS = ",x,y,z,vx,vy,vz"
+PLACE_HEADER = "# x y z [m], vx vy vz [m/s]: place and velocity of the body's origin in the world\n"
 HEADER = """\
 # timelaw samples of {name}: one row every {step} s, and the last instant
 # t [s]; qw qx qy qz: unit quaternion, Hamilton, active, body to world
@@ -28,10 +30,14 @@ def format_samples(law: QuaternionLaw, rate: float) -> str:
     """
     refuse_too_many_rows(law.duration, rate)
     times = np.append(np.arange(count_rows(law.duration, rate) - 1) / rate, law.duration)
-    table = np.column_stack([times, *(law(times, order) for order in range(4))]) + 0.0
+    values, columns = [law(times, order) for order in range(4)], COLUMNS
     text = io.StringIO()
     text.write(HEADER.format(name=law.name, step=f"{1 / rate:.9g}"))
-    np.savetxt(text, table, fmt="%.15g", delimiter=",", header=COLUMNS, comments="")
+    if law.travels:
+        text.write(PLACE_HEADER)
+        values, columns = [*values, law.place(times), law.place(times, 1)], COLUMNS + PLACE_COLUMNS
+    table = np.column_stack([times, *values]) + 0.0
+    np.savetxt(text, table, fmt="%.15g", delimiter=",", header=columns, comments="")
     return text.getvalue()
 
 
