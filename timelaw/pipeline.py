@@ -1,6 +1,6 @@
 """The whole program in one function: from a problem file to a certified law beside its baselines."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from timelaw.certificate import Certificate, certify
@@ -14,6 +14,7 @@ from timelaw.nlp.solution import sum_durations
 from timelaw.numerics.threads import on_one_thread
 from timelaw.orientations import OrientationSet, read_orientations
 from timelaw.problem import Problem, Source, load_problem
+from timelaw.problem.route import Orientations
 from timelaw.progress import Progress
 from timelaw.requirements import Requirements, resolve_requirements
 from timelaw.requirements.given_times import list_budgets
@@ -130,14 +131,26 @@ def lay_out(path: str | Path, progress: Progress | None = None) -> Layout:
 def lay_out_problem(path: Path, problem: Problem, source: Source, progress: Progress | None = None) -> Layout:
     """The orientations, the tour through them, the route it fixes, and what is required on that."""
     with source.placed(), on_one_thread():
-        orientations = read_orientations(problem.route.orientations, path.parent)
+        orientations = read_orientations(_take_orientations(problem), path.parent)
         tour = find_tour(problem, orientations, progress)
         route = lay_route(orientations, tour)
         requirements = resolve_requirements(problem, route)
     return Layout(path, problem, source, orientations, tour, route, requirements)
 
 
+def _take_orientations(problem: Problem) -> Orientations:
+    """What a tour goes through; curves have no tour.
+
+    Raises:
+        InputError: the route is one of curves.
+    """
+    if problem.route.orientations is None:
+        raise InputError(Fault('a Bézier motion has no tour; use "timelaw design"', "route.bezier"))
+    return problem.route.orientations
+
+
 def certify_time_law(layout: Layout, time_law: TimeLaw, continuity: int = 0) -> Certified:
     """A time law laid along the route, and what is proved of it; `continuity` is what was asked of it."""
     law = compose_law(layout.problem.name, layout.route, time_law, layout.requirements, continuity)
+    law = replace(law, shape=layout.problem.body.shape if layout.problem.body else None)
     return Certified(time_law.name, law, certify(law))
