@@ -1,7 +1,7 @@
 """From a problem file with Bézier curves to a certified law: joints, runs, easings, composition, proof."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import accumulate
 from pathlib import Path
 
@@ -16,7 +16,9 @@ from timelaw.bezier.search import Found, find_fastest, settle
 from timelaw.certificate import certify
 from timelaw.certificate.limit_check import find_leg_peaks
 from timelaw.compose_bezier import Legwork, compose_curves
+from timelaw.easing import Timing
 from timelaw.easing.family import Basis
+from timelaw.easing.polynomial_basis import PolynomialBasis
 from timelaw.errors import Fault, InfeasibleError, InputError
 from timelaw.limits import Bounds, make_limits
 from timelaw.motion import QuaternionLaw
@@ -27,7 +29,7 @@ from timelaw.numerics.threads import on_one_thread
 from timelaw.pipeline import Certified
 from timelaw.problem import Problem, Source
 from timelaw.progress import Progress
-from timelaw.time_law.baselines import QUINTIC
+from timelaw.time_law.baselines import PAPER_CONTINUITY, QUINTIC
 from timelaw.time_law.time_law import OPTIMISED_LAW
 
 PASSED = (1, 2, 3)  # continuities for which a joint may be passed at speed
@@ -56,6 +58,7 @@ class BezierDesign:
     joints: tuple[Joint, ...]
     passed: tuple[bool, ...]
     basis: Basis
+    timings: tuple[Timing, ...]
     runs: tuple[RunOutcome, ...]
     optimised: Certified
     baselines: tuple[Certified, ...]
@@ -101,11 +104,22 @@ def design_curves(
             )
             for one, run, new in zip(found, runs, proved, strict=True)
         )
+        timings = tuple(t for run, choice in zip(runs, proved, strict=True) for t in choice.timings(run))
         optimised = Certified(OPTIMISED_LAW, law, certify(law))
         baselines = [_make_quintic(problem, legs)] if QUINTIC in problem.baselines else []
     went = tuple(passage is not None for passage in passages)
     return BezierDesign(
-        path, problem, source, curves, joints, went, basis, outcomes, optimised, tuple(baselines)
+        path,
+        problem,
+        source,
+        curves,
+        joints,
+        went,
+        basis,
+        timings,
+        outcomes,
+        optimised,
+        tuple(baselines),
     )
 
 
@@ -160,7 +174,7 @@ def _pass(problem: Problem, joint: Joint) -> Passage | None:
 
 def _lay(problem: Problem, runs: Sequence[Run], choices: Sequence[Choice]) -> QuaternionLaw:
     """The law of what is chosen on each run."""
-    r = problem.nodes.continuity
+    r = runs[0].continuity
     works = []
     for run, choice in zip(runs, choices, strict=True):
         timings = choice.timings(run)
@@ -169,7 +183,8 @@ def _lay(problem: Problem, runs: Sequence[Run], choices: Sequence[Choice]) -> Qu
             works.append(Legwork(leg.curve, timing, still, _own(problem, leg.curve)))
     labels = [works[0].curve.origin, *(work.curve.target for work in works)]
     shape = problem.body.shape if problem.body else None
-    head = QuaternionLaw(problem.name, (), problem.limits.given(), problem.rigid_body(), r, shape=shape)
+    asked = problem.nodes.continuity
+    head = QuaternionLaw(problem.name, (), problem.limits.given(), problem.rigid_body(), asked, shape=shape)
     return compose_curves(head, works, [_dwell(problem, label) for label in labels])
 
 
@@ -205,7 +220,9 @@ def _prove(
 
 
 def _make_quintic(problem: Problem, legs: Sequence[Leg]) -> Certified:
-    """The smoothstep over each curve, in its least time, with a stop at every joint."""
-    runs = [Run((leg,), ()) for leg in legs]
+    """The quintic over each curve, in its least time, with a stop at every joint."""
+    basis = PolynomialBasis(2 * PAPER_CONTINUITY + 1, PAPER_CONTINUITY)
+    runs = [Run((replace(leg, basis=basis),), ()) for leg in legs]
     law, _ = _prove(problem, runs, [settle(run, begin(run), "limits") for run in runs])
+    law = replace(law, continuity=0)
     return Certified(QUINTIC, law, certify(law))

@@ -19,7 +19,7 @@ from timelaw.problem.problem import EasingModel
 
 INTERVALS = 24  # of a spline, if the file does not say: the law has as many pieces on a curve
 PER_INTERVAL = 16  # points of a spline's interval at which limits are looked at
-POINTS = 400  # of a polynomial
+POINTS = 240  # of a polynomial
 
 
 @dataclass(frozen=True)

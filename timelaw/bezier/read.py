@@ -17,7 +17,7 @@ from timelaw.problem.bezier import BezierModel
 SIGNED = ("wxyz", "xyzw")  # forms that say which of q and -q is meant
 RIGHT_ANGLE = 1e-9  # q·p within which neither sign is the nearer one: the form's own counts
 SAME_PLACE = 1e-6  # of the farthest control point; ends nearer than that are one
-LEAST_SQUARE = 1e-4  # of |Q|²; where it is smaller, the curve runs through no orientation
+LEAST_SQUARE = 1e-4  # of the largest |Q|²; where it is smaller, the curve runs through no orientation
 POINTS = 1001
 
 
@@ -53,13 +53,13 @@ def _read_control(model: BezierModel, where: str) -> Array:
         for before, after in pairwise(control):
             if before @ after < -RIGHT_ANGLE:
                 after *= -1.0
-    return control
+    return control if model.weights is None else control * np.array(model.weights)[:, None]
 
 
 def _refuse_vanishing(curve: Curve, where: str) -> None:
     u = np.linspace(0.0, 1.0, POINTS)
     square = evaluate(curve.square, u)
-    if np.min(square) < LEAST_SQUARE:
+    if np.min(square) < LEAST_SQUARE * np.max(square):
         place = u[np.argmin(square)]
         message = (
             f"the quaternion of the curve nearly vanishes at u = {place:.3g}, where it has no orientation; "
@@ -77,13 +77,15 @@ def _join(before: Curve, curve: Curve, where: str) -> Curve:
         message = f"begins {np.degrees(gap):.6g}° from where the curve before it ends"
         raise InputError(Fault(message, f"{where}.quaternions[1]"))
     control *= 1.0 if there @ control[0] > 0 else -1.0
-    control[0] = there
+    size, length = float(np.linalg.norm(control[0])), float(np.linalg.norm(there))
+    control[0] = there if size == length else there * (size / length)
     if before.points is not None and points is not None:
         end, start = before.place(np.array([1.0]), 0)[0][0], curve.place(np.array([0.0]), 0)[0][0]
-        size = float(max(np.max(np.abs(before.points)), np.max(np.abs(points))))
+        farthest = float(max(np.max(np.abs(before.points)), np.max(np.abs(points))))
         distance = float(np.linalg.norm(end - start))
-        if distance > SAME_PLACE * size:
+        if distance > SAME_PLACE * farthest:
             message = f"begins {distance:.6g} m from where the curve before it ends"
             raise InputError(Fault(message, f"{where}.points[1]"))
-        points = np.concatenate([end[None], points[1:]])
+        weight = control[0] @ control[0] if curve.divided else 1.0
+        points = np.concatenate([end[None] * weight, points[1:]])
     return Curve(curve.origin, curve.target, control, points, curve.divided)

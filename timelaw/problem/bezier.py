@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
 LARGEST_DEGREE = 7  # of a curve; with an easing of degree 9 the law's pieces have degree 63
 MOST_CURVES = 200
+HEAVIEST = 1000.0  # weight of a control quaternion
 BASES = ("polynomial", "spline")  # easings a curve may have
 Point = tuple[float, float, float]
 
@@ -26,6 +27,17 @@ def _point(value: Any) -> Any:
     return tuple(
         0.0 if v == 0 and not isinstance(v, bool) else read_quantity(v, LENGTH, -MOST) for v in value
     )
+
+
+def _weights(value: Any) -> Any:
+    """Positive numbers of moderate size."""
+    good = isinstance(value, list) and all(
+        isinstance(v, int | float) and not isinstance(v, bool) and 1 / HEAVIEST <= v <= HEAVIEST
+        for v in value
+    )
+    if not good:
+        raise fault(f"numbers from {1 / HEAVIEST:g} to {HEAVIEST:g} are needed, as in [1, 0.9, 0.9, 1]")
+    return tuple(float(v) for v in value)
 
 
 def _count(what: str, least: int) -> BeforeValidator:
@@ -44,13 +56,15 @@ class BezierModel(Model):
 
     `as`, `unit` and `sequence` say how the control quaternions are written, as they do for orientations;
     `axis-angle` is [x, y, z, angle]. `translation: divided` puts the origin at Σ B_j P_j/|Q|² [HZ2019],
-    `plain` at Σ B_j P_j; there may be other numbers of points than of quaternions.
+    `plain` at Σ B_j P_j; there may be other numbers of points than of quaternions. `weights` are lengths of
+    the control quaternions, all 1 unless given: curves that are cut in two, or joined smoothly, need others.
     """
 
     quaternions: Annotated[tuple[Numbers, ...], _count("control quaternions", 2)]
     points: Annotated[
         tuple[Annotated[Point, BeforeValidator(_point)], ...] | None, _count("control points", 1)
     ] = None
+    weights: Annotated[tuple[float, ...] | None, BeforeValidator(lambda value: _weights(value))] = None
     translation: Literal["divided", "plain"] = "divided"
     form: Annotated[FormName | None, Field(alias="as")] = None
     sequence: Annotated[str | None, Field(pattern=SEQUENCE)] = None
@@ -58,6 +72,9 @@ class BezierModel(Model):
 
     @model_validator(mode="after")
     def _form_is_whole(self) -> Self:
+        if self.weights is not None and len(self.weights) != len(self.quaternions):
+            needed = f"{len(self.quaternions)}, one for each quaternion, are needed"
+            raise fault(f"{len(self.weights)} weights; {needed}", "weights")
         refuse_half_form(self.form, {"unit": self.unit, "sequence": self.sequence})
         if "translation" in self.model_fields_set and self.points is None:
             raise fault('it says how "points" are meant, and there are none', "translation")
