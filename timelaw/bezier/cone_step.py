@@ -11,7 +11,7 @@ from timelaw.bezier.legs import Choice, Run
 from timelaw.bezier.rates import STATES, derive_parts, list_used
 from timelaw.numerics.array import Array
 
-SPARSE = 5  # every so many points are rows; others only where they are maxima
+SPARSE = 4  # every so many points are rows, breaks of splines among them; others only where they are maxima
 NEAR = 0.7  # of a limit: maxima below it are no rows of their own
 SLOW = 0.5  # u' below that part of its mean is held from turning back
 SOLVED = ("Solved", "AlmostSolved")

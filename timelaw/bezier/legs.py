@@ -18,7 +18,7 @@ from timelaw.numerics.array import Array
 from timelaw.problem.problem import EasingModel
 
 INTERVALS = 24  # of a spline, if the file does not say: the law has as many pieces on a curve
-PER_INTERVAL = 16  # points of a spline's interval at which limits are looked at
+PER_INTERVAL = 12  # points of a spline's interval at which limits are looked at
 POINTS = 240  # of a polynomial
 
 

@@ -17,7 +17,7 @@ from timelaw.errors import Fault, InfeasibleError
 from timelaw.numerics.array import Array
 from timelaw.time_limit import is_late
 
-FIRST_RADIUS, LARGEST_RADIUS, LEAST_RADIUS = 0.1, 1.0, 1e-7
+FIRST_RADIUS, FINER_RADIUS, LARGEST_RADIUS, LEAST_RADIUS = 0.1, 1e-3, 1.0, 1e-7
 STEPS, ROUNDS = 150, 4
 SETTLED = 1e-7  # relative change of the time by points that are added
 TOP = 0.99  # of a limit: maxima above it are looked at more closely
@@ -49,9 +49,9 @@ def find_fastest(run: Run, where: str) -> Found:
     """
     choice = settle(run, begin(run), where)
     found = Found(run, choice, 0, 0, False, choice.total)
-    for _ in range(ROUNDS):
+    for index in range(ROUNDS):
         before = found.choice.total
-        found = _improve(found)
+        found = _improve(found, FINER_RADIUS if index else FIRST_RADIUS)
         finer = _refine(found.run, found.choice)
         found = replace(found, run=finer, choice=found.choice.stretched(find_stretch(finer, found.choice)))
         if found.stopped or abs(found.choice.total / before - 1) < SETTLED:
@@ -59,9 +59,9 @@ def find_fastest(run: Run, where: str) -> Found:
     return found
 
 
-def _improve(found: Found) -> Found:
-    """The search on the points of a run."""
-    run, choice, radius, most = found.run, found.choice, FIRST_RADIUS, found.rows
+def _improve(found: Found, radius: float) -> Found:
+    """The search on the points of a run, from a trust region."""
+    run, choice, most = found.run, found.choice, found.rows
     for count in range(found.steps + 1, found.steps + STEPS + 1):
         if is_late():
             return replace(found, choice=choice, steps=count - 1, rows=most, stopped=True)
