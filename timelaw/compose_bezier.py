@@ -1,6 +1,6 @@
 """Where easings laid along Bézier curves become the motion: Q∘f on each piece, a polynomial in time again."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -14,7 +14,11 @@ from timelaw.motion.origin_curve import OriginCurve
 from timelaw.motion.quaternion_curve import QuaternionCurve
 from timelaw.motion.rational import Rational
 from timelaw.numerics.array import Array
+from timelaw.numerics.bernstein import split
 from timelaw.numerics.composition import compose_control
+
+UNEVEN = 2.0  # largest over least control point of |Q|² on a piece; its sixth power is below a hundred
+MOST_HALVINGS = 6  # of a piece of an easing
 
 
 @dataclass(frozen=True)
@@ -52,11 +56,15 @@ def _rest(curve: Curve, end: int, start: float, duration: float) -> Dwell:
 
 def _follow(leg: Legwork, start: float) -> Rational:
     curve, timing = leg.curve, leg.timing
+    parts = [
+        (duration * timing.duration, easing)
+        for piece, rate in zip(timing.easing.pieces, timing.easing.derivative(0), strict=True)
+        for duration, easing in _cut(curve, piece.duration, rate.control, MOST_HALVINGS)
+    ]
     pieces, origins = [], []
-    easings = [part.control for part in timing.easing.derivative(0)]
-    for index, (piece, easing) in enumerate(zip(timing.easing.pieces, easings, strict=True)):
-        still = (leg.still[0] if index == 0 else None, leg.still[1] if index == len(easings) - 1 else None)
-        turn = QuaternionCurve(piece.duration * timing.duration, _compose(curve.control, easing, still))
+    for index, (duration, easing) in enumerate(parts):
+        still = (leg.still[0] if index == 0 else None, leg.still[1] if index == len(parts) - 1 else None)
+        turn = QuaternionCurve(duration, _compose(curve.control, easing, still))
         pieces.append(turn)
         if curve.numerator is not None:
             origins.append(OriginCurve(_compose(curve.numerator, easing, still), turn))
@@ -72,6 +80,20 @@ def _follow(leg: Legwork, start: float) -> Rational:
         leg.limits,
         tuple(origins),
     )
+
+
+def _cut(curve: Curve, duration: float, easing: Array, halvings: int) -> Iterator[tuple[float, Array]]:
+    """An easing in pieces on which the control points of |Q∘f|² are near their values.
+
+    High powers of |Q|² stand below what is limited: where its control points differ much, rounding hides the
+    least of them, and nothing is proved.
+    """
+    square = compose_control(curve.square, easing)
+    if halvings == 0 or np.max(np.abs(square)) <= UNEVEN * np.min(square):
+        yield duration, easing
+        return
+    for half in split(easing, 0.5):
+        yield from _cut(curve, duration / 2, half, halvings - 1)
 
 
 def _compose(outer: Array, easing: Array, still: tuple[int | None, int | None]) -> Array:

@@ -19,8 +19,8 @@ TINY = 1e-200  # of a row; so small a one is none
 HEAD = 4  # rows of a cone: the room, and three components
 
 
-def solve_step(run: Run, choice: Choice, radius: float) -> tuple[Array, int]:
-    """The step (n,) that makes the time least to first order, zero if none is found; and how many rows."""
+def solve_step(run: Run, choice: Choice, radius: float) -> tuple[Array | None, int]:
+    """The step (n,) that makes the time least to first order, None if none is found; and how many rows."""
     scales = _scale(run, choice)
     linear, right, cones, heads = _linearise(run, choice)
     identity = sparse.identity(len(scales), format="csc")
@@ -46,7 +46,7 @@ def solve_step(run: Run, choice: Choice, radius: float) -> tuple[Array, int]:
     solution = solver.solve()
     rows = len(linear) + len(cones)
     if str(solution.status) not in SOLVED:
-        return np.zeros(len(scales)), rows
+        return None, rows
     return np.array(solution.x) * scales, rows
 
 

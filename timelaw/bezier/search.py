@@ -23,7 +23,7 @@ SETTLED = 1e-7  # relative change of the time by points that are added
 TOP = 0.99  # of a limit: maxima above it are looked at more closely
 GOOD, POOR = 0.7, 0.1  # of the gain that a step promised
 TINY = 1e-300  # used part of a limit that is none
-ENOUGH = 1e-8  # relative gain below which a step is the last
+ENOUGH = 1e-7  # relative gain below which a step is the last
 INSIDE = 1e-9  # relative; the search's own stretch, before anything is proved
 BACKWARD = -1e-9  # of the mean u'; what rounding makes of a stop
 HALVINGS = 60
@@ -67,10 +67,12 @@ def _improve(found: Found, radius: float) -> Found:
             return replace(found, choice=choice, steps=count - 1, rows=most, stopped=True)
         step, rows = solve_step(run, choice, radius)
         most = max(most, rows)
-        promised = -float(np.sum(step[: len(run.legs)])) / choice.total
-        if promised < ENOUGH:
-            break
-        trial, gained = _try(run, choice, step)
+        promised = gained = 0.0
+        if step is not None:
+            promised = -float(np.sum(step[: len(run.legs)])) / choice.total
+            if promised < ENOUGH:
+                break
+            trial, gained = _try(run, choice, step)
         if gained > POOR * promised:
             choice = trial
             radius = min(2 * radius, LARGEST_RADIUS) if gained > GOOD * promised else radius

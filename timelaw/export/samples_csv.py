@@ -19,6 +19,7 @@ HEADER = """\
 # at a node: the values just after it
 """
 MAX_ROWS = 2_000_000
+BLOCK = 20_000  # rows that are evaluated together: polynomials of high degree take some memory for each
 NEAR_END = 1e-6  # of a step: a row that close to the last instant is that instant, but for rounding
 
 
@@ -30,14 +31,15 @@ def format_samples(law: QuaternionLaw, rate: float) -> str:
     """
     refuse_too_many_rows(law.duration, rate)
     times = np.append(np.arange(count_rows(law.duration, rate) - 1) / rate, law.duration)
-    values, columns = [law(times, order) for order in range(4)], COLUMNS
     text = io.StringIO()
     text.write(HEADER.format(name=law.name, step=f"{1 / rate:.9g}"))
-    if law.travels:
-        text.write(PLACE_HEADER)
-        values, columns = [*values, law.place(times), law.place(times, 1)], COLUMNS + PLACE_COLUMNS
-    table = np.column_stack([times, *values]) + 0.0
-    np.savetxt(text, table, fmt="%.15g", delimiter=",", header=columns, comments="")
+    text.write(PLACE_HEADER if law.travels else "")
+    text.write(COLUMNS + (PLACE_COLUMNS if law.travels else "") + "\n")
+    for first in range(0, len(times), BLOCK):
+        t = times[first : first + BLOCK]
+        values = [law(t, order) for order in range(4)]
+        values += [law.place(t), law.place(t, 1)] if law.travels else []
+        np.savetxt(text, np.column_stack([t, *values]) + 0.0, fmt="%.15g", delimiter=",")
     return text.getvalue()
 
 
