@@ -14,10 +14,9 @@ from timelaw.motion.origin_curve import OriginCurve
 from timelaw.motion.quaternion_curve import QuaternionCurve
 from timelaw.motion.rational import Rational
 from timelaw.numerics.array import Array
-from timelaw.numerics.bernstein import split
-from timelaw.numerics.composition import compose_control
+from timelaw.numerics.composition import Wide, compose_control, halve_control, integrate_state
 
-UNEVEN = 2.0  # largest over least control point of |Q|² on a piece; its sixth power is below a hundred
+UNEVEN = 6.0  # largest over least control point of |Q|² on a piece; of its sixth power five digits are lost
 MOST_HALVINGS = 6  # of a piece of an easing
 
 
@@ -58,8 +57,10 @@ def _follow(leg: Legwork, start: float) -> Rational:
     curve, timing = leg.curve, leg.timing
     parts = [
         (duration * timing.duration, easing)
-        for piece, rate in zip(timing.easing.pieces, timing.easing.derivative(0), strict=True)
-        for duration, easing in _cut(curve, piece.duration, rate.control, MOST_HALVINGS)
+        for piece in timing.easing.pieces
+        for duration, easing in _cut(
+            curve, piece.duration, integrate_state(piece.duration, piece.state, piece.control), MOST_HALVINGS
+        )
     ]
     pieces, origins = [], []
     for index, (duration, easing) in enumerate(parts):
@@ -82,7 +83,7 @@ def _follow(leg: Legwork, start: float) -> Rational:
     )
 
 
-def _cut(curve: Curve, duration: float, easing: Array, halvings: int) -> Iterator[tuple[float, Array]]:
+def _cut(curve: Curve, duration: float, easing: Wide, halvings: int) -> Iterator[tuple[float, Wide]]:
     """An easing in pieces on which the control points of |Q∘f|² are near their values.
 
     High powers of |Q|² stand below what is limited: where its control points differ much, rounding hides the
@@ -92,13 +93,13 @@ def _cut(curve: Curve, duration: float, easing: Array, halvings: int) -> Iterato
     if halvings == 0 or np.max(np.abs(square)) <= UNEVEN * np.min(square):
         yield duration, easing
         return
-    for half in split(easing, 0.5):
+    for half in halve_control(easing):
         yield from _cut(curve, duration / 2, half, halvings - 1)
 
 
-def _compose(outer: Array, easing: Array, still: tuple[int | None, int | None]) -> Array:
+def _compose(outer: Array, easing: Wide, still: tuple[int | None, int | None]) -> Array:
     """Control points of the composition; at an end where k derivatives vanish k + 1 points are the same."""
-    found = compose_control(outer, easing)
+    found = compose_control(outer, easing).astype(float)
     if still[0] is not None:
         found[: still[0] + 1] = outer[0]
     if still[1] is not None:

@@ -43,14 +43,15 @@ class Curve:
     @cached_property
     def square(self) -> Array:
         """Control points (2n+1,) of |Q|²."""
-        return np.asarray(np.sum([multiply_control(part, part) for part in self.control.T], axis=0))
+        squares = [multiply_control(part, part) for part in self.control.T]
+        return np.asarray(np.sum(squares, axis=0), dtype=float)
 
     @cached_property
     def numerator(self) -> Array | None:
         """Control points (·, 3) of the polynomial that gives the place when it is divided by |Q|²."""
         if self.points is None or self.divided:
             return self.points
-        return multiply_control(self.square, self.points)
+        return multiply_control(self.square, self.points).astype(float)
 
     def orientation(self, u: Array) -> Array:
         """Unit quaternions (m, 4) at u (m,)."""

@@ -15,9 +15,7 @@ from timelaw.numerics.array import Array
 NAMES = {1: "velocity", 2: "acceleration", 3: "jerk", 4: "snap"}  # of the origin, in the world
 LIMITS = {1: "linear_velocity", 2: "linear_acceleration"}
 PLACE_TOLERANCE = 1e-9  # of the farthest place from the world's origin
-SLOWEST = (
-    1e-2  # of the farthest place, in the time of the shortest leg: what is slower is rounding, all of it
-)
+FINE = 500  # parts of a mean leg: differences over them are the shortest that rounded places resolve
 LINEAR_ORDERS = tuple(NAMES)
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(16)
 
@@ -72,7 +70,8 @@ def check_translation(law: QuaternionLaw) -> Translation | None:
     """Compare the two sides of every node and break; None for a body that only turns.
 
     A jump counts if it is above 1e-9 of the limit on that rate, or where there is none, or one far above, of
-    what the motion sustains: the largest mean over a leg.
+    what the motion sustains: the largest mean over a leg; and above what places that are rounded at their
+    distance from the world's origin resolve, in differences over a 500th of a mean leg.
     """
     if not law.travels:
         return None
@@ -101,14 +100,16 @@ def _places(segment: Segment, order: int) -> Array:
 
 
 def _scale(law: QuaternionLaw, order: int, size: float) -> float:
-    """What a jump is judged by."""
-    means, shortest = [0.0], min((leg.duration for leg in law.legs), default=law.duration)
+    """What a jump is judged by, never less than what the rounding of places makes of it."""
+    means = [0.0]
     for leg in law.legs:
         weights = (np.diff(leg.breaks)[:, None] * WEIGHTS / 2).ravel()
         means.append(float(weights @ np.linalg.norm(_places(leg, order), axis=1)))
-    sustained = max(*means, SLOWEST * size / shortest**order)
+    leg_time = float(np.mean([leg.duration for leg in law.legs])) if law.legs else law.duration
+    floor = float(np.finfo(float).eps) * size * (FINE / leg_time) ** order / JUMP_TOLERANCE
+    sustained = max(*means, floor)
     bounds = [np.min(s[LIMITS[order]]) for s in _all_limits(law) if LIMITS.get(order) in s]
-    return float(min([LOOSE * sustained, *bounds])) if bounds else sustained
+    return max(float(min([LOOSE * sustained, *bounds])), floor) if bounds else sustained
 
 
 def _all_limits(law: QuaternionLaw) -> Iterator[Mapping[str, Any]]:
