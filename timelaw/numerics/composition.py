@@ -39,10 +39,10 @@ def compose_control(outer: ArrayLike, inner: ArrayLike) -> Wide:
 
 def integrate_state(duration: float, state: Array, control: Array) -> Wide:
     """Control points of a function over `duration`, from its state at the start and its next derivative."""
-    found: Wide = np.asarray(control, dtype=np.longdouble)
+    found = np.asarray(control, dtype=np.longdouble)
     for start in state[::-1]:
         steps = found * (np.longdouble(duration) / len(found))
-        found = np.asarray(np.cumsum(np.concatenate([[np.longdouble(start)], steps])), dtype=np.longdouble)
+        found = np.concatenate([[np.longdouble(start)], steps]).cumsum(dtype=np.longdouble)
     return found
 
 
@@ -50,7 +50,7 @@ def halve_control(control: Wide) -> tuple[Wide, Wide]:
     """Control points on both halves of [0, 1]."""
     left, right = [control[0]], [control[-1]]
     while len(control) > 1:
-        control = (control[:-1] + control[1:]) / 2
+        control = np.asarray((control[:-1] + control[1:]) / 2, dtype=np.longdouble)
         left.append(control[0])
         right.append(control[-1])
     return np.array(left), np.array(right[::-1])
