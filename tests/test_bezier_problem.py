@@ -51,6 +51,7 @@ MODEL = {
     "leg": (HEAD + ONE + TAIL + "segments: {2-1: {limits: {velocity: 1 deg/s}}}\n", '7:17: segments.2-1: no such curve; they are called "1-2" to "1-2"'),
     "duration": (HEAD + ONE + TAIL + "segments: {1-2: {duration: 9 s}}\n", "7:28: segments.1-2.duration: the time of a curve cannot be given"),
     "basis": (HEAD + ONE + TAIL + "easing: {basis: double-s}\n", '7:17: easing.basis: "double-s"; on Bézier curves polynomial or spline is needed'),
+    "baseline": (HEAD + ONE + TAIL + "baselines: [double-s]\n", '7:12: baselines: along curves no double-s is known; "quintic" alone can stand beside the law'),
     "linear limit": (HEAD + ONE + BOTH, '6:93: limits.linear_velocity: a limit on the linear_velocity needs curves with "points" under "bezier"; on arcs the body only turns'),
     "linear limit of arcs": ("timelaw: 1\nname: c\nroute: {orientations: {lattice: 24-cell}, tour: paper}\nlimits: {linear_acceleration: 1 m/s^2}\n", '4:31: limits.linear_acceleration: a limit on the linear_acceleration needs curves with "points" under "bezier"; on arcs the body only turns'),
     "linear limit in degrees": (HEAD + MOVING + "limits: {linear_velocity: 1 deg/s}\n", '6:27: limits.linear_velocity: "1 deg/s" is not a velocity; write it like "0.5 m/s"'),

@@ -101,6 +101,10 @@ def refuse_unfit(problem: "Problem") -> None:
     for side in ("start", "end"):
         if getattr(nodes, side) is not None:
             raise fault("a Bézier motion begins and ends at rest", "nodes", side)
+    if "double-s" in problem.baselines and "baselines" in problem.model_fields_set:
+        raise fault(
+            'along curves no double-s is known; "quintic" alone can stand beside the law', "baselines"
+        )
     _refuse_rules(problem, len(curves))
     if easing.basis not in BASES:
         raise fault(f'"{easing.basis}"; on Bézier curves {" or ".join(BASES)} is needed', "easing", "basis")
