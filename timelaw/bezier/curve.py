@@ -3,6 +3,7 @@
 With D = Q·Q the rate along u is Ω = 2 Vec(Q̄ Q')/D; at u' = du/dt the body turns with ω = Ω u' [HZ2019].
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 from math import comb
@@ -87,7 +88,7 @@ class Curve:
         return evaluate(differentiate(control.T, order), np.asarray(u, dtype=float)[..., None])
 
 
-def _mix(product, order: int) -> Array:  # type: ignore[no-untyped-def]
+def _mix(product: Callable[[int, int], Array], order: int) -> Array:
     """The k-th derivative of a product of derivatives, by Leibniz' rule."""
     return np.asarray(sum(comb(order, i) * product(i, order - i) for i in range(order + 1)))
 
