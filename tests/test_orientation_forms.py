@@ -47,6 +47,9 @@ FORMS = {
     "as: rotation-vector, unit: rad": ROTATIONS.as_rotvec(),
     "as: rotation-vector, unit: deg": ROTATIONS.as_rotvec(degrees=True),
     "as: matrix": ROTATIONS.as_matrix().reshape(-1, 9),
+    "as: axis-angle, unit: deg": np.column_stack(
+        [3 * ROTATIONS.as_rotvec(), np.degrees(np.linalg.norm(ROTATIONS.as_rotvec(), axis=1))]
+    ),
     "as: euler, sequence: ZYX, unit: deg": ROTATIONS.as_euler("ZYX", degrees=True),
     "as: euler, sequence: xyz, unit: rad": ROTATIONS.as_euler("xyz"),
 }
@@ -187,7 +190,7 @@ FAULTS = {
     "list: [[1, 0, 0], [0, 1, 0]], as: euler, unit: deg": '4:52: route.orientations.as: "as: euler" needs "sequence"',
     "list: [[1, 0, 0], [0, 1, 0]], as: rotation-vector": '4:52: route.orientations.as: "as: rotation-vector" needs "unit"',
     "list: [[1, 0, 0], [0, 1, 0]], as: euler, unit: deg, sequence: XXY": '4:80: route.orientations.sequence: "XXY"; two turns in a row about one axis are one turn',
-    "list: [[1, 0, 0, 0], [0, 1, 0, 0]], unit: deg": '4:60: route.orientations.unit: it belongs to "as: rotation-vector or euler"',
+    "list: [[1, 0, 0, 0], [0, 1, 0, 0]], unit: deg": '4:60: route.orientations.unit: it belongs to "as: rotation-vector or euler or axis-angle"',
     "lattice: 24-cell, as: xyzw": '4:40: route.orientations.as: it describes what a "file" or "list" holds',
     "lattice: 24-cell, columns: [a]": '4:45: route.orientations.columns: it describes what a "file" holds',
     "lattice: 600-cell, symmetry: m3m": '4:47: route.orientations.symmetry: "m3m"; allowed: 1, -1, 2, 2/m, 222, mmm, 4, 4/m, 422, 4/mmm, 3, -3, 32, -3m, 6, 6/m, 622, 6/mmm, 23, m-3, 432, m-3m, or I, O, T, C1 to C12, D1 to D12; did you mean "m-3m"?',

@@ -15,7 +15,7 @@ limits:
   velocity: 60 deg/s
 """
 KEYS = "timelaw, name, route, body, limits, nodes, motion, segments, easing, objective, baselines, output"
-LIMITS = "velocity, acceleration, jerk, snap, torque, momentum"
+LIMITS = "velocity, acceleration, jerk, snap, torque, momentum, linear_velocity, linear_acceleration"
 LATTICES = "16-cell, tesseract, 24-cell, 600-cell, 120-cell"
 
 

@@ -235,6 +235,8 @@ WHEELS = BODY | {"actuator": "wheels", "momentum": [0.3, -0.2, 0.5]}
 def measure(law, name, t):
     """What a limit bounds, (m, 3), by Euler's equations from the law's own samples."""
     omega, alpha = law(t, 1), law(t, 2)
+    if name.startswith("linear"):
+        return law.place(t, ["linear_velocity", "linear_acceleration"].index(name) + 1)
     if name in ("velocity", "acceleration", "jerk", "snap"):
         return law(t, ["velocity", "acceleration", "jerk", "snap"].index(name) + 1)
     inertia = law.body.inertia
@@ -254,6 +256,8 @@ def measure(law, name, t):
 @pytest.mark.parametrize("by_axis", [False, True])
 def test_every_limit_is_proved_by_its_own_formula(name, body, by_axis):
     document = make_law(limits={name: [1e3] * 3 if by_axis else 1e3}) | {"body": body, "continuity": 0}
+    points = np.random.default_rng(5).normal(size=(8, 3))
+    document["segments"][0]["pieces"][0]["points"] = points.tolist()
     law = from_document(document)
     values = np.abs(measure(law, name, np.linspace(0, law.duration, 4001)))
     tops = np.max(values, axis=0) if by_axis else [np.max(np.linalg.norm(values, axis=1))]

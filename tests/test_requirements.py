@@ -122,7 +122,7 @@ FAULTS = {
     "segments: {1-2: {duration: 4 s}}": 'segments.1-2: the tour has no leg "1-2"; it has 1-12, 12-11, 11-3, 3-8, 8-10, 10-2, … (11 in all)',
     "segments: {1-12: {}}": 'segments.1-12: give "duration", "limits" or both',
     "segments: {1-12: {limits: {torque: 1 N*m}}}": 'segments.1-12.limits.torque: a limit on the torque needs "body: {inertia: …}"',
-    "segments: {1-12: {limits: {speed: 1 N*m}}}": 'segments.1-12.limits: unknown key "speed"; allowed: velocity, acceleration, jerk, snap, torque, momentum',
+    "segments: {1-12: {limits: {speed: 1 N*m}}}": 'segments.1-12.limits: unknown key "speed"; allowed: velocity, acceleration, jerk, snap, torque, momentum, linear_velocity, linear_acceleration',
     "nodes: {at: {7: {dwel: 2 s}}}": 'nodes.at.7: unknown key "dwel"; allowed: dwell, stop, time, limits; did you mean "dwell"?',
     "nodes: {start: {velocity: 1 deg/s}, at: {1: {dwell: 1 s}}}": 'nodes.at.1.dwell: the motion begins or ends moving at "1", where it cannot dwell',
     "nodes: {start: {velocity: 1 deg/s, jerk: 2 deg/s^3}}": "nodes.start.jerk: the jerk jumps with continuity 2; ask for 3",

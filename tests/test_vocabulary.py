@@ -21,11 +21,12 @@ from timelaw.orientations.forms import FORMS
 from timelaw.orientations.lattices import LATTICES
 from timelaw.problem import Problem
 from timelaw.problem.body import Body
+from timelaw.problem.forms import NEEDS, FormName
 from timelaw.problem.limits import Limits
 from timelaw.problem.nodes import Nodes
 from timelaw.problem.objective import Goal
 from timelaw.problem.problem import Baseline, EasingModel
-from timelaw.problem.route import NEEDS, SEARCHED, FormName, LatticeName, TourName
+from timelaw.problem.route import SEARCHED, LatticeName, TourName
 from timelaw.report.sections import SECTIONS
 from timelaw.report.tour_text import ANGLES, WORDS
 from timelaw.reproduce.readme_tables import TOURS as TABLED

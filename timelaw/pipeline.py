@@ -8,22 +8,20 @@ from timelaw.certificate import Certificate, certify
 from timelaw.certificate.geometry_check import RESOLVED
 from timelaw.compose import compose_law
 from timelaw.easing.family import Family
-from timelaw.errors import Fault, InfeasibleError, InputError
+from timelaw.errors import Fault, InputError
 from timelaw.motion import QuaternionLaw
 from timelaw.nlp import Timings, optimise
 from timelaw.nlp.solution import sum_durations
 from timelaw.numerics.threads import on_one_thread
 from timelaw.orientations import OrientationSet, read_orientations
+from timelaw.passing import pass_nodes
 from timelaw.problem import Problem, Source, load_problem
-from timelaw.problem.objective import TotalTime
+from timelaw.problem.route import Orientations
 from timelaw.progress import Progress
-from timelaw.proved_passages import prove_given, prove_passages
 from timelaw.requirements import Requirements, resolve_requirements
 from timelaw.requirements.given_times import list_budgets
 from timelaw.route import Route, lay_route
-from timelaw.through.given_route import is_given, resolve_given
-from timelaw.through.passage import Through, find_passages
-from timelaw.through.stopping import list_stopping, relax
+from timelaw.through.passage import Through
 from timelaw.time_law import BASELINES, TimeLaw
 from timelaw.time_law.time_law import OPTIMISED_LAW, STOPPING_LAW
 from timelaw.tours import Tour, find_tour
@@ -110,65 +108,15 @@ def design_through(layout: Layout, progress: Progress | None = None) -> Design:
     Raises:
         InfeasibleError: no law was found.
     """
-    problem, route, requirements = layout.problem, layout.route, layout.requirements
+    problem = layout.problem
     with layout.source.placed(), on_one_thread():
-        if is_given(problem, requirements):
-            family, solution, kept, proved = _design_given(layout, progress)
-        else:
-            kept = requirements
-            family, solution = _stop(problem, route, requirements, progress)
-            through = find_passages(problem, route, requirements, solution.timings, progress)
-            proved = prove_passages(problem, route, requirements, through, solution.timings)
-    through, law, certificate = proved
-    stops = TimeLaw(STOPPING_LAW, solution.timings, requirements.dwells)
-    shown = family.rigid and "double-s" in problem.baselines  # as a baseline
-    beside = [] if shown else [certify_time_law(replace(layout, requirements=kept), stops)]
-    optimised = Certified(OPTIMISED_LAW, law, certificate)
-    return _set_beside(layout, family, solution, optimised, beside, through)
-
-
-def _design_given(
-    layout: Layout, progress: Progress | None
-) -> tuple[Family, Timings, Requirements, tuple[Through, QuaternionLaw, Certificate]]:
-    """The law that stops, which keeps what is given if one does, and the law that passes the nodes."""
-    problem, route, requirements = layout.problem, layout.route, layout.requirements
-    ends = (problem.nodes.moving_start, problem.nodes.end)
-    aslant = any(rates is not None and rates.in_body_axes for rates in ends)
-    free, relaxed = relax(problem, requirements)
-    kept, goal = requirements, problem.objective
-    asked = problem
-    try:
-        if aslant:
-            raise InfeasibleError(Fault("along an arc the body turns about its axis only"))
-        if goal.total_time is not None and goal.total_time.relative:
-            asked = _resolve_total_time(layout, free, relaxed)
-        family, solution = optimise(asked, route, requirements, progress)
-    except InfeasibleError:  # what stops cannot; what passes the nodes may
-        kept = relaxed
-        family, solution = _stop(free, route, relaxed, progress)
-    given = resolve_given(asked, route, requirements, solution.timings)
-    own = solution.timings if kept is requirements else None
-    time = sum_durations(solution.timings)
-    proved = prove_given(asked, route, requirements, given, own, time, progress)
-    return family, solution, kept, proved
-
-
-def _stop(
-    problem: Problem, route: Route, requirements: Requirements, progress: Progress | None = None
-) -> tuple[Family, Timings]:
-    """The fastest law that stops."""
-    found = [optimise(asked, route, requirements, progress) for asked in list_stopping(problem, requirements)]
-    return min(found, key=lambda one: sum_durations(one[1].timings))
-
-
-def _resolve_total_time(layout: Layout, free: Problem, relaxed: Requirements) -> Problem:
-    """The problem with the total time in seconds that it gives as a multiple of the least one."""
-    _, least = _stop(free, layout.route, relaxed)
-    given = resolve_given(layout.problem, layout.route, layout.requirements, least.timings)
-    legs = given.given.budgets[-1][1]
-    total = TotalTime(legs + layout.requirements.dwell_time)
-    goal = layout.problem.objective.model_copy(update={"total_time": total})
-    return layout.problem.model_copy(update={"objective": goal})
+        found = pass_nodes(problem, layout.route, layout.requirements, progress)
+    stops = TimeLaw(STOPPING_LAW, found.solution.timings, layout.requirements.dwells)
+    shown = found.family.rigid and "double-s" in problem.baselines  # as a baseline
+    kept = replace(layout, requirements=found.kept)
+    beside = [] if shown else [certify_time_law(kept, stops)]
+    optimised = Certified(OPTIMISED_LAW, found.law, found.certificate)
+    return _set_beside(layout, found.family, found.solution, optimised, beside, found.through)
 
 
 def _set_beside(
@@ -232,14 +180,26 @@ def lay_out(path: str | Path, progress: Progress | None = None) -> Layout:
 def lay_out_problem(path: Path, problem: Problem, source: Source, progress: Progress | None = None) -> Layout:
     """The orientations, the tour through them, the route it fixes, and what is required on that."""
     with source.placed(), on_one_thread():
-        orientations = read_orientations(problem.route.orientations, path.parent)
+        orientations = read_orientations(_take_orientations(problem), path.parent)
         tour = find_tour(problem, orientations, progress)
         route = lay_route(orientations, tour, merge=problem.motion.through)
         requirements = resolve_requirements(problem, route)
     return Layout(path, problem, source, orientations, tour, route, requirements)
 
 
+def _take_orientations(problem: Problem) -> Orientations:
+    """What a tour goes through; curves have no tour.
+
+    Raises:
+        InputError: the route is one of curves.
+    """
+    if problem.route.orientations is None:
+        raise InputError(Fault('a Bézier motion has no tour; use "timelaw design"', "route.bezier"))
+    return problem.route.orientations
+
+
 def certify_time_law(layout: Layout, time_law: TimeLaw, continuity: int = 0) -> Certified:
     """A time law laid along the route, and what is proved of it; `continuity` is what was asked of it."""
     law = compose_law(layout.problem.name, layout.route, time_law, layout.requirements, continuity)
+    law = replace(law, shape=layout.problem.body.shape if layout.problem.body else None)
     return Certified(time_law.name, law, certify(law))

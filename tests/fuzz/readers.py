@@ -9,6 +9,8 @@ from itertools import islice
 from pathlib import Path
 
 from tests.campaign.judge import HANG, TRACEBACK
+from timelaw.bezier.joints import find_joints
+from timelaw.bezier.read import read_curves
 from timelaw.cli.verify import run as verify
 from timelaw.errors import EXIT_BAD_INPUT, EXIT_INFEASIBLE, TimelawError
 from timelaw.orientations import read_orientations
@@ -46,9 +48,13 @@ class Outcome:
 
 
 def read_problem(path: Path) -> None:
-    """Its orientations too, and the route where the set is small."""
+    """Its orientations too, and the route where the set is small; or its curves with their joints."""
     problem, source = load_problem(path)
     route = problem.route
+    if route.orientations is None:
+        with source.placed():
+            find_joints(read_curves(problem))
+        return
     uniform = route.orientations.uniform
     if uniform is not None and uniform.fill < COARSE:
         return

@@ -9,16 +9,18 @@ from typing import Any
 from timelaw.certificate.continuity import Continuity, check_continuity
 from timelaw.certificate.geometry_check import GeometryCheck, check_geometry
 from timelaw.certificate.limit_check import LegPeak, LimitCheck, check_limits, find_leg_peaks
+from timelaw.certificate.translation import Translation, check_translation, list_linear_jumps
 from timelaw.law_file.document import to_document
 from timelaw.motion import QuaternionLaw
-from timelaw.motion.segment import RATES
+from timelaw.motion.segment import MAX_ORDER, RATES
 
 
 @dataclass(frozen=True)
 class Certificate:
     """What is proved of one law. It holds if every limit and every geometric check does.
 
-    `peaks` say how near each limit each segment comes, and when.
+    `peaks` say how near each limit each segment comes, and when. `translation` is of the body's origin where
+    that moves too, `linear_jumps` are the limits on it that cannot hold.
     """
 
     limits: tuple[LimitCheck, ...]
@@ -28,6 +30,13 @@ class Certificate:
     duration: float
     digest: str
     asked: int = 0
+    translation: Translation | None = None
+    linear_jumps: tuple[str, ...] = ()
+
+    @property
+    def order(self) -> int:
+        """C^k of the whole motion, the way of the body's origin included."""
+        return min(self.continuity.order, self.translation.order if self.translation else MAX_ORDER)
 
     @property
     def holds(self) -> bool:
@@ -42,8 +51,8 @@ class Certificate:
     def findings(self) -> list[str]:
         """What is wrong with the law, one sentence each."""
         found = self.limit_findings()
-        if self.continuity.order < self.asked:
-            found.append(f"the motion is C{self.continuity.order}, C{self.asked} was asked for")
+        if self.order < self.asked:
+            found.append(f"the motion is C{self.order}, C{self.asked} was asked for")
         found += [
             f"{g.check}: off by {' '.join([f'{g.worst:.3g}', *g.unit.split()])} at {g.where}, "
             f"{g.tolerance:.1g} is tolerated"
@@ -60,7 +69,7 @@ class Certificate:
             for c in sorted(self.limits, key=lambda c: c.margin)
             if not c.holds
         ]
-        return [*found, *self._jumps()]
+        return [*found, *self._jumps(), *self.linear_jumps]
 
     def _jumps(self) -> list[str]:
         """Limits of order k where a lower rate jumps: the limited rate is unbounded there."""
@@ -98,23 +107,26 @@ class Certificate:
                 {"segment": legs[0].segment, "limits": [leg.to_dict() for leg in legs]}
                 for legs in (list(group) for _, group in groupby(self.peaks, key=lambda leg: leg.index))
             ],
-            "continuity": self.continuity.order,
+            "continuity": self.order,
             "continuity_inside_segments": self.continuity.inside,
+            **({"translation": self.translation.to_dict()} if self.translation else {}),
             "digest": self.digest,
         }
 
 
 def certify(law: QuaternionLaw) -> Certificate:
     """Prove what can be proved of a law from its own numbers; nothing is sampled."""
-    peaks = find_leg_peaks(law)
+    peaks, translation = find_leg_peaks(law), check_translation(law)
     return Certificate(
         check_limits(peaks),
         peaks,
-        check_geometry(law),
+        (*check_geometry(law), *([translation.check] if translation else [])),
         check_continuity(law),
         law.duration,
         digest_motion(to_document(law)),
         law.continuity,
+        translation,
+        tuple(list_linear_jumps(law, translation)) if translation else (),
     )
 
 

@@ -30,7 +30,7 @@ class NodeReport:
     label: str
     time: float
     kind: str
-    turn: float
+    turn: float | None
     before: Mapping[str, Array]
     after: Mapping[str, Array]
     jump: Mapping[str, float]
@@ -104,7 +104,8 @@ def _node(law: QuaternionLaw, index: int, scales: Mapping[int, Sequence[JumpScal
     jumps = {k: after[k] - before[k] for k in RATES}
     sides = {k: scales[k][max(index - 1, 0) : index + 1] for k in RATES}
     parts = {k: float(min(scale.relate(jumps[k]) for scale in sides[k])) for k in RATES}
-    kind, turn = _kind(last, following)
+    moving = any(float(scale.relate(before[1])) > JUMP_TOLERANCE for scale in sides[1])
+    kind, turn = _kind(last, following, moving=moving)
     return NodeReport(
         law.labels[index],
         float(law.times[index]),
@@ -115,19 +116,19 @@ def _node(law: QuaternionLaw, index: int, scales: Mapping[int, Sequence[JumpScal
         {name: float(np.linalg.norm(jumps[k])) for k, name in RATES.items()},
         parts,
         _class(parts),
-        any(float(scale.relate(before[1])) > JUMP_TOLERANCE for scale in sides[1]),
+        moving,
     )
 
 
-def _kind(last: Segment | None, following: Segment | None) -> tuple[str, float]:
-    """What a node is, and by how much the axis turns there."""
+def _kind(last: Segment | None, following: Segment | None, *, moving: bool) -> tuple[str, float | None]:
+    """What a node is, and by how much the axis turns there, where there is one on both sides."""
     if last is None or following is None:
         return ("start" if last is None else "end"), 0.0
     if not (last.moves and following.moves):
         return "dwell", 0.0
     axes = last.axis_at(-1), following.axis_at(0)
     if axes[0] is None or axes[1] is None:
-        return "passed", 0.0
+        return ("passed" if moving else "stop"), None
     turn = angle_between_axes(axes[0], axes[1])
     return ("straight" if turn <= SAME_AXIS else "corner"), turn
 

@@ -8,12 +8,13 @@ from typing import Any
 from timelaw.certificate.certificate import Certificate
 from timelaw.certificate.continuity import NodeReport
 from timelaw.certificate.limit_check import LegPeak, LimitCheck
+from timelaw.certificate.translation import NAMES, Crossing, Translation
 from timelaw.motion.segment import RATES
 
 RECORD_TOLERANCE = 1e-9  # relative; other machines round the same sums a little differently
 DURATION_TOLERANCE = 1e-12  # relative; a sum of rounded numbers
 NOISE = 1e-12  # of a limit, or of the largest rate of its order; below it a number is rounding alone
-OPTIONAL = ("legs", "continuity_inside_segments")  # not in the contract
+OPTIONAL = ("legs", "continuity_inside_segments", "translation")  # not in the contract
 TURN_TOLERANCE = 1e-9  # rad; of the turn of the axis at a node
 MOTION = (
     "format",
@@ -146,7 +147,11 @@ def _match_nodes(recorded: Any, certificate: Certificate) -> bool:
         return (
             all(found.get(k) == getattr(node, k) for k in ("label", "kind", "continuity"))
             and _near(found.get("time"), node.time)
-            and _near(found.get("turn"), node.turn, TURN_TOLERANCE)
+            and (
+                found.get("turn") is None
+                if node.turn is None
+                else _near(found.get("turn"), node.turn, TURN_TOLERANCE)
+            )
             and _match_rates(found, node, peaks)
         )
 
@@ -174,11 +179,35 @@ def _match_rates(recorded: dict[str, Any], node: NodeReport, peaks: Mapping[str,
     return True
 
 
+def _match_translation(recorded: Any, translation: Translation | None) -> bool:
+    """The classes of the origin's way, and its jumps at the nodes."""
+    if translation is None or not isinstance(recorded, dict):
+        return False
+
+    def match(found: dict[str, Any], node: Crossing) -> bool:
+        jump = found.get("jump")
+        return (
+            found.get("label") == node.label
+            and isinstance(jump, dict)
+            and all(
+                _near(jump.get(NAMES[k]), size, size * NOISE / part if part else 0.0)
+                for (k, size), part in zip(node.jump.items(), node.parts.values(), strict=True)
+            )
+        )
+
+    return (
+        _near(recorded.get("continuity"), float(translation.order))
+        and _near(recorded.get("continuity_inside_segments"), float(translation.inside))
+        and _match_each(recorded.get("nodes"), translation.nodes, match)
+    )
+
+
 _PARTS: dict[str, Any] = {  # of a recorded certificate, each with what compares it
     "holds": lambda recorded, certificate: recorded is certificate.holds,
     "limits": lambda recorded, c: _match_each(recorded, c.limits, _match_limit),
     "legs": _match_legs,
     "checks": lambda recorded, c: _match_each(recorded, c.geometry, _match_check),
-    "continuity": lambda recorded, c: _near(recorded, float(c.continuity.order)),
+    "continuity": lambda recorded, c: _near(recorded, float(c.order)),
     "continuity_inside_segments": lambda recorded, c: _near(recorded, float(c.continuity.inside)),
+    "translation": lambda recorded, c: _match_translation(recorded, c.translation),
 }

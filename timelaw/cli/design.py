@@ -5,12 +5,14 @@ from math import isfinite
 from pathlib import Path
 from typing import Any
 
+from timelaw.cli import bezier as cli_bezier
 from timelaw.cli.console import RESULTS, print_json, print_limits, print_table, say, show_progress
 from timelaw.errors import EXIT_DONE, EXIT_FINDINGS, InputError
 from timelaw.export import format_law
 from timelaw.export.registry import EXPORTERS
 from timelaw.export.samples_csv import refuse_too_many_rows
-from timelaw.pipeline import Design, Layout, design_layout, lay_out
+from timelaw.pipeline import Design, Layout, design_layout, lay_out_problem
+from timelaw.problem import load_problem
 from timelaw.report import LawRow, list_law_rows, render_report
 from timelaw.report.outcome import describe_outcome, measure_gain
 from timelaw.report.passing_text import describe_rungs
@@ -31,7 +33,10 @@ def run(problem: str, output: str | None, *, as_json: bool) -> int:
     path = Path(problem)
     with show_progress() as report:
         with refuse_when_over(NO_ROUTE):
-            layout = lay_out(path, report)
+            model, source = load_problem(path)
+            layout = None if model.route.bezier else lay_out_problem(path, model, source, report)
+        if layout is None:
+            return cli_bezier.run(path, model, source, output, as_json=as_json)
         set_aside(REST + REST_OF_LEG * len(layout.route.legs))
         _refuse_too_many_samples(layout)
         folder = Path(output) if output is not None else RESULTS / layout.problem.name

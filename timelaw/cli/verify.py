@@ -25,7 +25,7 @@ def run(path: str, *, as_json: bool) -> int:
     say(record.sentence)
     say(
         f"{law.name}: {certificate.duration:.6f} s, {len(law.segments)} segments, "
-        f"C{certificate.continuity.order}, " + ("certified" if not findings else "NOT certified")
+        f"C{certificate.order}, " + ("certified" if not findings else "NOT certified")
     )
     if as_json:
         print_json(

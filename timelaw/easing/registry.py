@@ -54,17 +54,18 @@ def _polynomial(settings: Settings, r: int) -> Iterator[Family]:
     yield PolynomialFamily(settings.degree or max(POLYNOMIAL_DEGREE, 2 * r + 3), r)
 
 
-def _spline_degree(r: int) -> int:
+def spline_degree(r: int) -> int:
+    """The least for continuity r that leaves the spline at least as smooth inside."""
     return max(3, r + 2 if r > 2 else r + 1)
 
 
 def _spline(settings: Settings, r: int) -> Iterator[Family]:
-    yield SplineFamily(settings.degree or _spline_degree(r), settings.intervals or INTERVALS, r)
+    yield SplineFamily(settings.degree or spline_degree(r), settings.intervals or INTERVALS, r)
 
 
 def _least_intervals(settings: Settings, r: int) -> int:
     """N of the n + p coefficients, r + 1 of which each end takes."""
-    return max(1, 2 * (r + 1) - (settings.degree or _spline_degree(r)))
+    return max(1, 2 * (r + 1) - (settings.degree or spline_degree(r)))
 
 
 def _double_s(_: Settings, r: int) -> Iterator[Family]:
@@ -74,7 +75,7 @@ def _double_s(_: Settings, r: int) -> Iterator[Family]:
 def _auto(_: Settings, r: int) -> Iterator[Family]:
     """Candidates from the simplest on."""
     yield from (PolynomialFamily(degree, r) for degree in AUTO_DEGREES if degree >= 2 * r + 1)
-    yield from (SplineFamily(_spline_degree(r), intervals, r) for intervals in AUTO_INTERVALS)
+    yield from (SplineFamily(spline_degree(r), intervals, r) for intervals in AUTO_INTERVALS)
 
 
 BASES: dict[str, BasisKind] = {

@@ -10,6 +10,8 @@ from timelaw.export.exporter import Exporter
 from timelaw.motion import QuaternionLaw
 
 COLUMNS = "t,qw,qx,qy,qz,wx,wy,wz,ax,ay,az,jx,jy,jz"
+PLACE_COLUMNS = ",x,y,z,vx,vy,vz"
+PLACE_HEADER = "# x y z [m], vx vy vz [m/s]: place and velocity of the body's origin in the world\n"
 HEADER = """\
 # timelaw samples of {name}: one row every {step} s, and the last instant
 # t [s]; qw qx qy qz: unit quaternion, Hamilton, active, body to world
@@ -17,6 +19,7 @@ HEADER = """\
 # at a node: the values just after it
 """
 MAX_ROWS = 2_000_000
+BLOCK = 20_000  # rows that are evaluated together: polynomials of high degree take some memory for each
 NEAR_END = 1e-6  # of a step: a row that close to the last instant is that instant, but for rounding
 
 
@@ -28,10 +31,15 @@ def format_samples(law: QuaternionLaw, rate: float) -> str:
     """
     refuse_too_many_rows(law.duration, rate)
     times = np.append(np.arange(count_rows(law.duration, rate) - 1) / rate, law.duration)
-    table = np.column_stack([times, *(law(times, order) for order in range(4))]) + 0.0
     text = io.StringIO()
     text.write(HEADER.format(name=law.name, step=f"{1 / rate:.9g}"))
-    np.savetxt(text, table, fmt="%.15g", delimiter=",", header=COLUMNS, comments="")
+    text.write(PLACE_HEADER if law.travels else "")
+    text.write(COLUMNS + (PLACE_COLUMNS if law.travels else "") + "\n")
+    for first in range(0, len(times), BLOCK):
+        t = times[first : first + BLOCK]
+        values = [law(t, order) for order in range(4)]
+        values += [law.place(t), law.place(t, 1)] if law.travels else []
+        np.savetxt(text, np.column_stack([t, *values]) + 0.0, fmt="%.15g", delimiter=",")
     return text.getvalue()
 
 

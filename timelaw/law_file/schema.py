@@ -8,6 +8,7 @@ from timelaw.limits.body import EXTERNAL, WHEELS
 from timelaw.limits.torque import ACTUATORS
 from timelaw.motion.kinds import KINDS
 from timelaw.motion.schema import BoundsDocument, Duration, Moderate3, Part, Text, Vector3, refuse_many
+from timelaw.units import LEAST, MOST
 
 if TYPE_CHECKING:
     SegmentDocument = Any
@@ -29,12 +30,22 @@ def _known_actuator(value: str) -> str:
     return value
 
 
-class BodyDocument(Part):
-    """The body, where a limit needs to know it."""
+Edge = Annotated[float, Field(ge=LEAST, le=MOST)]
 
-    inertia: Annotated[list[Moderate3], Field(min_length=3, max_length=3)]
+
+class BodyDocument(Part):
+    """The body, where a limit needs to know its inertia, or a picture its shape: the edges of a box [m]."""
+
+    inertia: Annotated[list[Moderate3], Field(min_length=3, max_length=3)] | None = None
     actuator: Annotated[str, AfterValidator(_known_actuator)] = EXTERNAL
     momentum: Moderate3 = Field(default_factory=lambda: [0.0, 0.0, 0.0])
+    shape: tuple[Edge, Edge, Edge] | None = Field(default=None, strict=False)
+
+    @model_validator(mode="after")
+    def _something(self) -> Self:
+        if self.inertia is None and self.shape is None:
+            raise ValueError("an inertia or a shape is needed")
+        return self
 
     @model_validator(mode="after")
     def _momentum_is_the_wheels(self) -> Self:

@@ -9,7 +9,8 @@ from typing import Any
 
 Vector = Sequence[Any]  # three components in body axes
 ZERO: Vector = (0.0, 0.0, 0.0)
-Rates = Mapping[int, Vector]  # by order: 1 ω, 2 α, 3 jerk, 4 snap
+Rates = Mapping[int, Vector]  # by order: 1 ω, 2 α, 3 jerk, 4 snap; what LINEAR names besides
+LINEAR = {1: -1, 2: -2, 3: -3}  # keys of the derivatives of the origin's place, in world axes, by order
 
 
 @dataclass(frozen=True)

@@ -26,8 +26,13 @@ class Limit(Protocol):
         ...
 
     @property
+    def depth(self) -> int:
+        """On a rational segment what is limited is a polynomial over |Q|² to this power."""
+        ...
+
+    @property
     def highest(self) -> int:
-        """The order of the highest rate that enters."""
+        """The order of the highest rate of rotation that enters; 0 for none."""
         ...
 
     @property
@@ -66,7 +71,8 @@ class Limit(Protocol):
 class LimitKind:
     """One key of the `limits` of problem and law files.
 
-    `quantity` is its unit, `make` the limit from bounds and the body, whose inertia it needs or not.
+    `quantity` is its unit, `make` the limit from bounds and the body, whose inertia it needs or not; one that
+    needs a translation has no meaning for a body that only turns.
     Continuity of class C^`continuity` is the least under which it can hold: where a rate jumps, the
     next one is unbounded. The fastest motion under it is of class C^`smooths`. One that is not `sufficient`
     bounds no motion by itself.
@@ -76,6 +82,7 @@ class LimitKind:
     quantity: Kind
     make: Callable[[Bounds, RigidBody], Limit]
     needs_inertia: bool = False
+    needs_translation: bool = False
     continuity: int = 1
     smooths: int = 0
     sufficient: bool = True

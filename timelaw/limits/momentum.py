@@ -28,6 +28,7 @@ class Momentum:
     bounds: Bounds
     body: RigidBody
     power: ClassVar[int] = 1
+    depth: ClassVar[int] = 1
     highest: ClassVar[int] = 1
     unit: ClassVar[str] = UNIT
 

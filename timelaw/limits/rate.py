@@ -32,7 +32,7 @@ class Rate:
         """Of time: the order itself."""
         return self.order
 
-    highest = power
+    highest = depth = power
 
     @property
     def unit(self) -> str:

@@ -7,12 +7,22 @@ import numpy as np
 from timelaw.limits.body import RigidBody
 from timelaw.limits.bounds import Bounds
 from timelaw.limits.limit import Limit, LimitKind
+from timelaw.limits.linear import LinearRate
 from timelaw.limits.momentum import Momentum, find_contradiction
 from timelaw.limits.rate import Rate
 from timelaw.limits.row import ORDERS, Row
 from timelaw.limits.torque import ACTUATORS
 from timelaw.numerics.array import Array
-from timelaw.units import ANGULAR_ACCELERATION, ANGULAR_JERK, ANGULAR_SNAP, ANGULAR_VELOCITY, MOMENTUM, TORQUE
+from timelaw.units import (
+    ANGULAR_ACCELERATION,
+    ANGULAR_JERK,
+    ANGULAR_SNAP,
+    ANGULAR_VELOCITY,
+    LINEAR_ACCELERATION,
+    LINEAR_VELOCITY,
+    MOMENTUM,
+    TORQUE,
+)
 
 
 def _limit_rate(name: str, bounds: Bounds) -> Rate:
@@ -39,6 +49,15 @@ LIMITS: dict[str, LimitKind] = {
         lambda bounds, body: Momentum("momentum", bounds, body),
         needs_inertia=True,
         contradiction=find_contradiction,
+    ),
+    "linear_velocity": LimitKind(
+        LINEAR_VELOCITY, lambda bounds, _: LinearRate("linear_velocity", 1, bounds), needs_translation=True
+    ),
+    "linear_acceleration": LimitKind(
+        LINEAR_ACCELERATION,
+        lambda bounds, _: LinearRate("linear_acceleration", 2, bounds),
+        needs_translation=True,
+        smooths=1,
     ),
 }
 POINT = RigidBody(np.eye(3))  # for limits that ask for no body

@@ -46,6 +46,7 @@ class ExternalTorque:
     body: RigidBody
     couples: ClassVar[bool] = True
     power: ClassVar[int] = 2
+    depth: ClassVar[int] = 2
     highest: ClassVar[int] = 2
     unit: ClassVar[str] = UNIT
 
@@ -89,6 +90,7 @@ class WheelTorque:
     bounds: Bounds
     body: RigidBody
     power: ClassVar[int] = 2
+    depth: ClassVar[int] = 2
     highest: ClassVar[int] = 2
     unit: ClassVar[str] = UNIT
 

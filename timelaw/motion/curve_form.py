@@ -49,6 +49,11 @@ class CurveForm:
         """D, of degree 2d."""
         return self._squares[0]
 
+    @property
+    def slope(self) -> Polynomial:
+        """D' in u."""
+        return self._squares[1]
+
     def power(self, exponent: int) -> Polynomial:
         """(h D)^exponent."""
         return _raise(self._scaled_powers, exponent)

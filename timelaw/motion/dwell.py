@@ -10,7 +10,7 @@ import numpy as np
 from timelaw.easing.profile import Side
 from timelaw.limits import Bounds, Limit
 from timelaw.limits.formula import Vector
-from timelaw.motion.schema import Duration, Number, Part, Text, Vector4
+from timelaw.motion.schema import Duration, Number, Part, Text, Vector3, Vector4
 from timelaw.motion.segment import Discrepancy, Quantity
 from timelaw.numerics.array import Array
 from timelaw.numerics.polynomial import Polynomial
@@ -25,11 +25,15 @@ class DwellDocument(Part):
     start_time: Number
     duration: Duration
     orientation: Vector4
+    point: Vector3 | None = None
 
 
 @dataclass(frozen=True)
 class Dwell:
-    """q(t) = `orientation` (4,), over its norm, for `duration` [s] from `start_time`, at the node `at`."""
+    """q(t) = `orientation` (4,), over its norm, for `duration` [s] from `start_time`, at the node `at`.
+
+    In a motion with a translation the body's origin is at `point` (3,) [m].
+    """
 
     kind: ClassVar[str] = "dwell"
     moves: ClassVar[bool] = False
@@ -42,6 +46,7 @@ class Dwell:
     start_time: float
     duration: float
     orientation: Array
+    point: Array | None = None
 
     @property
     def name(self) -> str:
@@ -73,6 +78,16 @@ class Dwell:
         if order:
             return np.zeros((*size, 3))
         return np.broadcast_to(normalise(self.orientation), (*size, 4)).copy()
+
+    @property
+    def travels(self) -> bool:
+        """Whether it says where the origin is."""
+        return self.point is not None
+
+    def place(self, tau: Array, order: int, side: Side) -> Array:  # noqa: ARG002
+        """The point (m, 3) for order 0, else zeros."""
+        found = np.zeros((*np.shape(tau), 3))
+        return found if order or self.point is None else found + self.point
 
     def axis_at(self, end: int) -> None:  # noqa: ARG002
         """Nothing turns."""
@@ -130,9 +145,11 @@ class Dwell:
             "start_time": self.start_time,
             "duration": self.duration,
             "orientation": self.orientation.tolist(),
+            **({} if self.point is None else {"point": self.point.tolist()}),
         }
 
     @classmethod
     def read(cls, s: DwellDocument) -> "Dwell":
         """From the law file; numbers are taken bit for bit."""
-        return cls(s.at, s.start_time, s.duration, np.array(s.orientation, dtype=float))
+        point = None if s.point is None else np.array(s.point, dtype=float)
+        return cls(s.at, s.start_time, s.duration, np.array(s.orientation, dtype=float), point)

@@ -6,6 +6,7 @@ from typing import Annotated, Any, ClassVar
 
 from pydantic import Field
 
+from timelaw.easing.profile import Side
 from timelaw.limits import Bounds
 from timelaw.limits.bounds import write_bounds
 from timelaw.motion.schema import BoundsDocument, Duration, Number, Part, Text, Vector4
@@ -38,6 +39,15 @@ class Moving:
     start: Array
     end: Array
     limits: Mapping[str, Bounds]
+
+    @property
+    def travels(self) -> bool:
+        """Whether it says where the body's origin is."""
+        return False
+
+    def place(self, tau: Array, order: int, side: Side) -> Array:  # noqa: ARG002
+        """Where the origin is; a body that only turns has it nowhere."""
+        raise ValueError("the motion has no translation")
 
     @property
     def name(self) -> str:

@@ -50,21 +50,30 @@ class QuaternionCurve:
             rates.append(rate / square[0][..., None])
         return rates[-1]
 
+    def squares(self, u: Array, order: int) -> list[Array]:
+        """D and its first derivatives (m,) in time at u (m,)."""
+        q = [self._derivative(u, k) for k in range(order + 1)]
+        return [_sum_products(q, k) for k in range(order + 1)]
+
     @cached_property
-    def _level(self) -> Array:
+    def level(self) -> Array:
         """Control points over a power of two, which turns nothing; the largest component from 1/2 to 1."""
-        _, exponent = np.frexp(np.max(np.abs(self.control)))
-        return np.asarray(np.ldexp(self.control, -exponent))
+        return np.asarray(np.ldexp(self.control, -self.exponent))
+
+    @cached_property
+    def exponent(self) -> int:
+        """Of that power of two."""
+        return int(np.frexp(np.max(np.abs(self.control)))[1])
 
     def _derivative(self, u: Array, order: int) -> Array:
         """The k-th derivative of Q (m, 4) in time."""
-        points = differentiate(self._level.T, order) / self.duration**order
+        points = differentiate(self.level.T, order) / self.duration**order
         return evaluate(points, np.asarray(u)[..., None])
 
     @cached_property
     def form(self) -> CurveForm:
         """The whole piece as polynomials."""
-        parts = [Polynomial(column) for column in self._level.T]
+        parts = [Polynomial(column) for column in self.level.T]
         derivatives = [parts]
         for _ in range(HIGHEST):
             parts = [part.derive(1.0) for part in parts]

@@ -24,7 +24,8 @@ class QuaternionLaw:
     `limits` are the bounds the law is made for, in SI, the `body` is there where they need it,
     `continuity` k is the class C^k that was asked for. `before` and `after` are the rates (3,) by
     order with which the motion is entered and left; an order that is not there is zero. One that is
-    `periodic` goes round: what comes before it is its own end, and what comes after it its start.
+    `periodic` goes round: what comes before it is its own end, and what comes after it its start. `shape` are
+    the edges [m] of the box that pictures show, centred at the body's origin.
     """
 
     name: str
@@ -35,6 +36,12 @@ class QuaternionLaw:
     before: Mapping[int, Array] = field(default_factory=dict)
     after: Mapping[int, Array] = field(default_factory=dict)
     periodic: bool = False
+    shape: tuple[float, float, float] | None = None
+
+    @property
+    def travels(self) -> bool:
+        """Whether it says where the body's origin is."""
+        return all(segment.travels for segment in self.segments)
 
     @cached_property
     def times(self) -> Array:
@@ -63,16 +70,32 @@ class QuaternionLaw:
         if order not in range(MAX_ORDER + 1):
             raise ValueError(f"order {order}; 0 (q), 1 (ω), 2 (α), 3 (jerk) or 4 (snap) is needed")
         t = np.asarray(t, dtype=float)
-        index = locate(self.times, t, side)
         value = np.empty((*t.shape, 4 if order == 0 else 3))
+        for segment, here, tau in self._find(t, side):
+            value[here] = segment(tau, order, side)
+        return value
+
+    def place(self, t: ArrayLike, order: int = 0, side: Side = "right") -> Array:
+        """The origin's place, velocity, acceleration, jerk (..., 3) [m, s] in the world for order 0 to 3.
+
+        Raises:
+            ValueError: t (...) outside [0, duration], or the motion has no translation.
+        """
+        t = np.asarray(t, dtype=float)
+        value = np.empty((*t.shape, 3))
+        for segment, here, tau in self._find(t, side):
+            value[here] = segment.place(tau, order, side)
+        return value
+
+    def _find(self, t: Array, side: Side) -> Iterator[tuple[Segment, Array, Array]]:
+        """Segments, which of the times (...) are theirs, and the τ of these."""
+        index = locate(self.times, t, side)
         for k in np.unique(index):
             here = index == k
             segment = self.segments[k]
             tau = np.clip((t[here] - segment.start_time) / segment.duration, 0.0, 1.0)
             # the last piece may be shorter than times are told apart
-            tau = np.where(t[here] >= self.times[k + 1], 1.0, tau)
-            value[here] = segment(tau, order, side)
-        return value
+            yield segment, here, np.where(t[here] >= self.times[k + 1], 1.0, tau)
 
     def rotation(self, t: ArrayLike) -> Array:
         """R(t) (..., 3, 3): r_world = R r_body [MMB2017]."""

@@ -1,22 +1,26 @@
-"""Segments of kind `rational`: the orientation is Q/|Q|, Q a quaternion polynomial in time on each piece."""
+"""Segments of kind `rational`: the orientation is Q/|Q|, Q a quaternion polynomial in time on each piece.
 
-from collections.abc import Iterator, Mapping, Sequence
+The body's origin may move with it, along P/|Q|², P a polynomial too.
+"""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache, cached_property
 from itertools import pairwise
 from math import fsum
-from typing import Annotated, Any, ClassVar, Literal
+from typing import Annotated, Any, ClassVar, Literal, Self
 
 import numpy as np
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from timelaw.easing.profile import Side, locate
 from timelaw.limits import Bounds, Limit
 from timelaw.limits.bounds import read_bounds
-from timelaw.limits.formula import Vector, dot
+from timelaw.limits.formula import LINEAR, Vector, dot
 from timelaw.limits.row import FormulaRow
 from timelaw.motion.deviation import DEVIATION, list_deviations
 from timelaw.motion.moving import LegDocument, Moving
+from timelaw.motion.origin_curve import OriginCurve
 from timelaw.motion.quaternion_curve import QuaternionCurve
 from timelaw.motion.schema import BRIEFEST, LONGEST, Part
 from timelaw.motion.segment import Discrepancy, Quantity
@@ -26,16 +30,23 @@ from timelaw.numerics.quotient import Quotient
 
 QUADRATURE = 24  # nodes
 WEIGHT = 1e6  # largest component of a control point: gauges near one, far from where squares overflow
+FARTHEST = 1e12  # m
+MOST_CONTROL, MOST_POINTS = 64, 200  # of a piece: degree 63, as far as easings and their paths get together
+HIGHEST_LIMITED = 2  # derivative of the origin's place that a limit may bound
 ControlPoint = Annotated[
     list[Annotated[float, Field(ge=-WEIGHT, le=WEIGHT)]], Field(min_length=4, max_length=4)
 ]
 
 
+Point = Annotated[list[Annotated[float, Field(ge=-FARTHEST, le=FARTHEST)]], Field(min_length=3, max_length=3)]
+
+
 class CurveDocument(Part):
-    """Duration [s] and control points of Q over it."""
+    """Duration [s], control points of Q over it, and with a translation those of P [m]."""
 
     duration: Annotated[float, Field(ge=BRIEFEST, le=LONGEST)]
-    control: Annotated[list[ControlPoint], Field(min_length=2, max_length=16)]
+    control: Annotated[list[ControlPoint], Field(min_length=2, max_length=MOST_CONTROL)]
+    points: Annotated[list[Point], Field(min_length=1, max_length=MOST_POINTS)] | None = None
 
 
 class RationalDocument(LegDocument):
@@ -43,6 +54,12 @@ class RationalDocument(LegDocument):
 
     kind: Literal["rational"]
     pieces: Annotated[list[CurveDocument], Field(min_length=1)]
+
+    @model_validator(mode="after")
+    def _all_travel(self) -> Self:
+        if len({piece.points is None for piece in self.pieces}) > 1:
+            raise ValueError("points belong to all pieces of a segment, or to none")
+        return self
 
 
 @cache
@@ -56,6 +73,7 @@ def _quadrature() -> tuple[Array, Array]:
 class Rational(Moving):
     """q(t) = Q/|Q|, Q(t) by `pieces` that follow each other, each over its own duration.
 
+    `origins` are the paths of the body's origin on these pieces, none for a body that only turns.
     `start` and `end` (4,) are the nodes it should lead from and to; whether it does is for the certificate to
     say. `limits` hold on this segment besides those of the law.
     """
@@ -73,6 +91,12 @@ class Rational(Moving):
     end: Array
     pieces: tuple[QuaternionCurve, ...]
     limits: Mapping[str, Bounds] = field(default_factory=dict)
+    origins: tuple[OriginCurve, ...] = ()
+
+    @property
+    def travels(self) -> bool:
+        """Whether it says where the origin is."""
+        return bool(self.origins)
 
     @cached_property
     def breaks(self) -> Array:
@@ -84,15 +108,26 @@ class Rational(Moving):
 
     def __call__(self, tau: Array, order: int, side: Side) -> Array:
         """At τ (m,): quaternions (m, 4) for order 0, else ω, α, jerk, snap (m, 3) for 1 to 4."""
+        return self._evaluate(self.pieces, tau, order, side, 4 if order == 0 else 3)
+
+    def place(self, tau: Array, order: int, side: Side) -> Array:
+        """At τ (m,) the origin's place, velocity, acceleration, jerk (m, 3) in the world."""
+        if not self.origins:
+            return super().place(tau, order, side)
+        return self._evaluate(self.origins, tau, order, side, 3)
+
+    def _evaluate(
+        self, pieces: Sequence[Callable[[Array, int], Array]], tau: Array, order: int, side: Side, width: int
+    ) -> Array:
         tau = np.asarray(tau, dtype=float)
         index = locate(self.breaks, tau, side)
-        value = np.empty((*tau.shape, 4 if order == 0 else 3))
+        value = np.empty((*tau.shape, width))
         for k in np.unique(index):
             here = index == k
-            first, width = self.breaks[k], self.breaks[k + 1] - self.breaks[k]
+            first, long = self.breaks[k], self.breaks[k + 1] - self.breaks[k]
             # the last piece may be shorter than times are told apart
-            part = (tau[here] - first) / width if width else np.ones(np.count_nonzero(here))
-            value[here] = self.pieces[k](np.clip(part, 0.0, 1.0), order)
+            part = (tau[here] - first) / long if long else np.ones(np.count_nonzero(here))
+            value[here] = pieces[k](np.clip(part, 0.0, 1.0), order)
         return value
 
     def axis_at(self, end: int) -> None:  # noqa: ARG002
@@ -131,14 +166,18 @@ class Rational(Moving):
     def quantities(self, limits: Sequence[Limit], total: Vector) -> Iterator[Quantity]:
         """Every limit's own formula in the numerators, over hD to the limit's power of time."""
         highest = max((limit.highest for limit in limits), default=1)
-        for piece, first, width in zip(self.pieces, self.breaks[:-1], np.diff(self.breaks), strict=True):
+        breaks = zip(self.breaks[:-1], np.diff(self.breaks), strict=True)
+        for index, (piece, (first, width)) in enumerate(zip(self.pieces, breaks, strict=True)):
             for form in piece.forms:
                 rates, seen = form.numerators(highest), form.turn_back(total)
+                if self.origins:
+                    moved = self.origins[index].numerators(form, HIGHEST_LIMITED)
+                    rates |= {LINEAR[order]: vector for order, vector in moved.items()}
                 start, end = (float(first + width * u) for u in (form.start, form.end))
                 for limit in limits:
                     for formula in limit.of(rates, seen):
                         row = FormulaRow(limit.name, formula, limit.unit, limit.highest)
-                        value = Quotient(formula.value, form.power(limit.power * formula.root))
+                        value = Quotient(formula.value, form.power(limit.depth * formula.root))
                         yield Quantity(row, value, start, end)
 
     def own_quantities(self) -> Iterator[Quantity]:
@@ -171,12 +210,19 @@ class Rational(Moving):
 
     def document(self) -> dict[str, Any]:
         """As the law file has it."""
-        return self.write({}, [{"duration": p.duration, "control": p.control.tolist()} for p in self.pieces])
+        pieces = [{"duration": p.duration, "control": p.control.tolist()} for p in self.pieces]
+        points = [{"points": origin.points.tolist()} for origin in self.origins] or [{}] * len(pieces)
+        return self.write({}, [piece | own for piece, own in zip(pieces, points, strict=True)])
 
     @classmethod
     def read(cls, s: RationalDocument) -> "Rational":
         """From the law file; numbers are taken bit for bit."""
         pieces = tuple(QuaternionCurve(p.duration, np.array(p.control, dtype=float)) for p in s.pieces)
         start, end = (np.array(v, dtype=float) for v in (s.start, s.end))
+        origins = tuple(
+            OriginCurve(np.array(p.points, dtype=float), piece)
+            for p, piece in zip(s.pieces, pieces, strict=True)
+            if p.points is not None
+        )
         limits = read_bounds(s.limits)
-        return cls(s.origin, s.target, s.start_time, s.duration, start, end, pieces, limits)
+        return cls(s.origin, s.target, s.start_time, s.duration, start, end, pieces, limits, origins)

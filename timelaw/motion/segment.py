@@ -98,8 +98,17 @@ class Segment(Protocol):
         """Bounds of this segment alone, in SI."""
         ...
 
+    @property
+    def travels(self) -> bool:
+        """Whether it says where the body's origin is."""
+        ...
+
     def __call__(self, tau: Array, order: int, side: Side) -> Array:
         """At τ (m,): quaternions (m, 4) for order 0, else ω, α, jerk, snap (m, 3)."""
+        ...
+
+    def place(self, tau: Array, order: int, side: Side) -> Array:
+        """At τ (m,) the origin's place in the world, or a derivative of it in time (m, 3), if it travels."""
         ...
 
     def axis_at(self, end: int) -> Array | None:

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from timelaw.numerics.array import Array
+from timelaw.numerics.quaternion import from_axis_angle, normalise
 from timelaw.orientations.precision import (
     MATRICES,
     QUATERNIONS,
@@ -19,7 +20,7 @@ from timelaw.orientations.precision import (
 from timelaw.problem.fields import NORM_TOLERANCE
 
 MATRIX_COLUMNS = tuple(f"r{i}{j}" for i in "123" for j in "123")
-ANGLES = ("rotation-vector", "euler")  # forms whose numbers have a unit
+ANGLES = ("rotation-vector", "euler", "axis-angle")  # forms whose numbers have a unit; an axis has any length
 HOMOGENEOUS = (12, 16)  # numbers of a matrix that holds a translation too
 UPPER_LEFT = "of a homogeneous matrix the upper left 3x3 is needed"
 
@@ -103,6 +104,11 @@ def _proper(row: Array) -> str:
     return "not a rotation matrix: its determinant is -1" if np.linalg.det(matrix) < 0 else ""
 
 
+def _with_axis(row: Array) -> str:
+    """An axis of any length but zero, unless nothing turns about it."""
+    return "" if np.any(row[:3]) or row[3] == 0 else "the axis [x, y, z] of a turn may not be zero"
+
+
 def _anything(_: Array) -> str:
     return ""
 
@@ -131,6 +137,12 @@ def _from_euler(rows: Array, sequence: str) -> Array:
     from scipy.spatial.transform import Rotation
 
     return np.asarray(Rotation.from_euler(sequence, rows).as_quat(scalar_first=True))
+
+
+def _from_axes(rows: Array, _: str) -> Array:
+    """(cos(θ/2), n sin(θ/2)), the sign as the angle has it."""
+    axes = np.where(np.any(rows[:, :3], axis=1, keepdims=True), rows[:, :3], [1.0, 0.0, 0.0])
+    return from_axis_angle(normalise(axes), rows[:, 3])
 
 
 FORMS: dict[str, Form] = {
@@ -166,5 +178,11 @@ FORMS: dict[str, Form] = {
         (("euler1", "euler2", "euler3"), ("phi1", "phi", "phi2"), ("e1", "e2", "e3")),
         _anything,
         _from_euler,
+    ),
+    "axis-angle": Form(
+        "an axis and an angle [x, y, z, angle]",
+        (("x", "y", "z", "angle"), ("nx", "ny", "nz", "angle")),
+        _with_axis,
+        _from_axes,
     ),
 }

@@ -21,7 +21,7 @@ class Model(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True, strict=True)
 
 
-def fault(message: str, *where: str) -> PydanticCustomError:
+def fault(message: str, *where: str | int) -> PydanticCustomError:
     """A validation error whose text is shown to the user as it stands, at `where` below its model."""
     return PydanticCustomError("timelaw", "{message}", {"message": message, "where": where})
 

@@ -9,8 +9,8 @@ from pydantic_core import ErrorDetails
 from timelaw.errors import Fault, InputError, list_first, shorten
 from timelaw.files import read_start, read_text
 from timelaw.problem.fields import quote, suggest
+from timelaw.problem.forms import SEQUENCE
 from timelaw.problem.problem import NAME, Problem
-from timelaw.problem.route import SEQUENCE
 from timelaw.problem.source import PROBLEM, KeyPath, Source, read
 
 VERSION = 1

@@ -10,6 +10,7 @@ from timelaw.limits.body import RigidBody
 from timelaw.limits.bounds import Bounds
 from timelaw.limits.registry import POINT
 from timelaw.objectives import OBJECTIVES
+from timelaw.problem.bezier import refuse_unfit
 from timelaw.problem.body import Body
 from timelaw.problem.fields import Model, as_tuple, fault, one_of, percentage, quantity
 from timelaw.problem.limits import Limits
@@ -86,6 +87,12 @@ class Problem(Model):
         return self
 
     @model_validator(mode="after")
+    def _curves_suit(self) -> Self:
+        if self.route.bezier:
+            refuse_unfit(self)
+        return self
+
+    @model_validator(mode="after")
     def _double_s_is_rigid(self) -> Self:
         if not self.easing.kind.rigid:
             return self
@@ -146,7 +153,10 @@ class Problem(Model):
         ]
         for where, limits in places:
             for name in limits.given():
-                if LIMITS[name].needs_inertia and self.body is None:
+                if LIMITS[name].needs_translation and not self.route.travels:
+                    needed = 'curves with "points" under "bezier"; on arcs the body only turns'
+                    raise fault(f"a limit on the {name} needs {needed}", *where, name)
+                if LIMITS[name].needs_inertia and self.rigid_body() is None:
                     raise fault(f'a limit on the {name} needs "body: {{inertia: …}}"', *where, name)
                 reason = LIMITS[name].contradiction(limits.given()[name], self.rigid_body() or POINT)
                 if reason:
@@ -160,7 +170,7 @@ class Problem(Model):
                         name,
                     )
         minimise = self.objective.minimise
-        if OBJECTIVES[minimise].needs_inertia and self.body is None:
+        if OBJECTIVES[minimise].needs_inertia and self.rigid_body() is None:
             raise fault(f'to minimise {minimise}, "body: {{inertia: …}}" is needed', "objective", "minimise")
         if OBJECTIVES[minimise].needs_inertia and any(self.body.momentum if self.body else ()):
             message = f"to minimise {minimise}, a total momentum of zero is needed: H turns against the body"

@@ -8,18 +8,17 @@ from pydantic import BeforeValidator, Field, model_validator
 
 from timelaw.errors import shorten
 from timelaw.numerics.turn import SAME_ORIENTATION
+from timelaw.problem.bezier import Curves, refuse_mixed
 from timelaw.problem.fields import NORM_TOLERANCE, Model, as_tuple, fault, quantity, quote, tour_or_labels
+from timelaw.problem.forms import SEQUENCE, FormName, Numbers, read_numbers, refuse_half_form
 from timelaw.units import ANGLE, MOST
 
 LatticeName = Literal["16-cell", "tesseract", "24-cell", "600-cell", "120-cell"]
 TourName = Literal["paper", "shortest", "fewest-stops", "least-turning", "fastest", "given"]
 SEARCHED = ("shortest", "fewest-stops", "least-turning", "fastest")
-FormName = Literal["wxyz", "xyzw", "rotation-vector", "matrix", "euler"]
 SOURCES = ("lattice", "file", "list", "uniform")
 LEAST_FILL, LARGEST_FILL = 1e-3, 3.2  # rad; half a turn is as far as orientations get
 FINEST, COARSEST = 1e-14, 0.1  # rad; doubles resolve no less, and nobody measures as badly
-SEQUENCE = r"^([XYZ]{3}|[xyz]{3})$"
-NEEDS = {"rotation-vector": ("unit",), "euler": ("sequence", "unit")}
 CUSTOM = ("form", "sequence", "unit", "columns")
 ANGLE_FILES = (".ang", ".ctf")  # have a form of their own, whose unit may be given
 ALIASES = {"form": "as"}
@@ -31,31 +30,9 @@ class Uniform(Model):
     fill: Annotated[float, quantity(ANGLE, LEAST_FILL, LARGEST_FILL)]
 
 
-def _numbers(value: Any) -> Any:
-    """A row of numbers, or a matrix as three rows."""
-    if _is_matrix(value) and [len(row) for row in value] != [3, 3, 3]:
-        whole = len(value) in (3, 4) and all(len(row) == 4 for row in value)
-        hint = "; of a homogeneous one the upper left 3x3 is needed" if whole else ""
-        raise fault(f"a matrix has three rows of three numbers{hint}")
-    flat = [v for row in value for v in row] if _is_matrix(value) else value
-    good = isinstance(flat, list) and all(
-        isinstance(v, int | float) and not isinstance(v, bool) and abs(v) <= MOST for v in flat
-    )
-    if not good:
-        raise fault("expected a list of numbers, as in [1, 0, 0, 0]")
-    return tuple(float(v) for v in flat)
-
-
-def _is_matrix(value: Any) -> bool:
-    return isinstance(value, list) and bool(value) and all(isinstance(v, list) for v in value)
-
-
-Numbers = Annotated[tuple[float, ...], BeforeValidator(_numbers)]
-
-
 def _unit(value: Any) -> Any:
     """Four numbers of norm one."""
-    numbers = _numbers(value)
+    numbers = read_numbers(value)
     if len(numbers) != 4 or not abs(hypot(*numbers) - 1) <= NORM_TOLERANCE:
         raise fault("expected a unit quaternion [w, x, y, z]")
     return numbers
@@ -121,19 +98,8 @@ class Orientations(Model):
             ):
                 owners = '"file"' if key == "columns" else '"file" or "list"'
                 raise fault(f"it describes what a {owners} holds", ALIASES.get(key, key))
-        for key in ("unit", "sequence"):
-            needed = key in NEEDS.get(self.form or "", ())
-            if key == "unit" and self.form is None and self._is_angle_file():
-                continue
-            if needed and getattr(self, key) is None:
-                raise fault(f'"as: {self.form}" needs "{key}"', "as")
-            if not needed and getattr(self, key) is not None:
-                users = " or ".join(form for form, keys in NEEDS.items() if key in keys)
-                raise fault(f'it belongs to "as: {users}"', key)
-        if self.sequence is not None and any(
-            a == b for a, b in zip(self.sequence, self.sequence[1:], strict=False)
-        ):
-            raise fault(f'"{self.sequence}"; two turns in a row about one axis are one turn', "sequence")
+        angles = ("unit",) if self._is_angle_file() else ()
+        refuse_half_form(self.form, {"unit": self.unit, "sequence": self.sequence}, without_form=angles)
         return self
 
     def _is_angle_file(self) -> bool:
@@ -141,17 +107,35 @@ class Orientations(Model):
 
 
 class RouteModel(Model):
-    """Which orientations, in which order, and whether the body returns to the first.
+    """Which orientations, in which order, and whether the body returns to the first; or curves one by one.
 
     `start` and `end` are labels of where a searched tour begins and ends; without them it may begin
     and end anywhere.
     """
 
-    orientations: Orientations
+    orientations: Orientations | None = None
+    bezier: Curves | None = None
     tour: Annotated[TourName | tuple[str, ...], BeforeValidator(tour_or_labels(get_args(TourName)))] = "given"
     closed: bool = False
     start: Annotated[str | None, BeforeValidator(lambda value: _label(value))] = None
     end: Annotated[str | None, BeforeValidator(lambda value: _label(value))] = None
+
+    @model_validator(mode="after")
+    def _orientations_or_curves(self) -> Self:
+        if self.bezier is None:
+            if self.orientations is None:
+                raise fault('missing key "orientations"')
+            return self
+        refuse_mixed(self.bezier)
+        for key in ("orientations", "tour", "closed", "start", "end"):
+            if key in self.model_fields_set:
+                raise fault("Bézier curves follow each other as they are given; leave it away", key)
+        return self
+
+    @property
+    def travels(self) -> bool:
+        """Whether the body's origin moves."""
+        return bool(self.bezier) and all(curve.points is not None for curve in self.bezier or ())
 
     @model_validator(mode="after")
     def _ends_make_sense(self) -> Self:

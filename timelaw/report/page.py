@@ -21,7 +21,7 @@ def render_report(design: Design, digest: str) -> dict[str, str]:
     facts = Facts(
         design, digest, {name: Markup(text[text.index("<svg") :]) for name, text in pictures.items()}
     )
-    environment = _environment()
+    environment = make_environment()
     sections = [
         {"title": section.title, "body": _render_body(environment, section, facts)}
         for section in SECTIONS
@@ -46,7 +46,8 @@ def _render_body(environment: Environment, section: Section, facts: Facts) -> Ma
     return Markup(template.render(**common, **section.context(facts)))
 
 
-def _environment() -> Environment:
+def make_environment() -> Environment:
+    """Templates with everything escaped, and our filters."""
     environment = Environment(
         loader=PackageLoader("timelaw.report", "templates"),
         autoescape=select_autoescape(["html"]),

@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from timelaw.pipeline import Design, design, design_problem
-from timelaw.problem.load import check_problem
+from timelaw.problem.load import check_problem, load_problem
 from timelaw.problem.source import read
 from timelaw.report import list_law_rows
 from timelaw.reproduce.command import run_main
@@ -42,6 +42,11 @@ def format_markdown(headings: Sequence[str], rows: Sequence[Sequence[str]]) -> s
     """A Markdown table: the first column to the left, the others to the right."""
     lines = ["| " + " | ".join(headings) + " |", "|---" + "|---:" * (len(headings) - 1) + "|"]
     return "\n".join([*lines, *("| " + " | ".join(row) + " |" for row in rows)])
+
+
+def list_tours(paths: Sequence[Path]) -> list[Path]:
+    """Problem files whose route is a tour; for curves there is neither double-S nor physical limit."""
+    return [path for path in paths if load_problem(path)[0].route.bezier is None]
 
 
 def _cells(design: Design) -> list[str]:
@@ -137,7 +142,7 @@ def main(arguments: Sequence[str]) -> None:
     """Design everything and rewrite both tables."""
     readme, *problems = map(Path, arguments)
     text = replace_table(
-        readme.read_text(encoding="utf-8"), table_references([design(path) for path in problems])
+        readme.read_text(encoding="utf-8"), table_references([design(path) for path in list_tours(problems)])
     )
     readme.write_text(replace_table(text, table_tours(design_tours()), TOUR_MARK), encoding="utf-8")
 

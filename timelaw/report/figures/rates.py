@@ -8,9 +8,9 @@ import numpy as np
 from timelaw.limits import LIMITS
 from timelaw.motion import QuaternionLaw
 from timelaw.motion.segment import RATES
-from timelaw.pipeline import Design
 from timelaw.report.active_limits import trace_parts
 from timelaw.report.figures.curves import trace_rate
+from timelaw.report.figures.drawn import Drawn
 from timelaw.report.figures.style import (
     AXIS_COLOURS,
     DWELL,
@@ -30,12 +30,13 @@ from timelaw.time_law import baselines
 ALWAYS = (1, 2, 3)  # orders that have a panel, limited or not
 
 
-def draw_rates(design: Design) -> str:
+def draw_rates(design: Drawn) -> str:
     """|ω|, |α|, |jerk| over time, the optimised law over the grey quintic, with limits and nodes."""
     from matplotlib.figure import Figure
 
     law = design.optimised.law
-    extra = [name for name, kind in LIMITS.items() if kind.needs_inertia and name in law.limits]
+    beyond = (name for name, kind in LIMITS.items() if kind.needs_inertia or kind.needs_translation)
+    extra = [name for name in beyond if name in law.limits]
     orders = [order for order, name in RATES.items() if order in ALWAYS or name in law.limits]
     panels = len(orders) + len(extra)
     figure = Figure(figsize=(9.4, 1.0 + 1.8 * panels), layout="constrained")
@@ -63,7 +64,7 @@ def draw_rates(design: Design) -> str:
 
 def _parts(ax: Any, law: QuaternionLaw, limit: str) -> None:
     """The part of a limit that is used over time, axis by axis where it is given so."""
-    ax.set_ylabel(f"{limit} / limit")
+    ax.set_ylabel(f"{limit.replace('_', ' ')} / limit")
     curves = trace_parts(law, list_first_legs(law), limit)
     for colour, (label, (times, values)) in zip(AXIS_COLOURS, curves.items(), strict=False):
         ax.plot(times, values, color=colour if len(curves) > 1 else OPTIMISED, linewidth=1.3, label=label)
@@ -78,7 +79,7 @@ def _curve(ax: Any, law: QuaternionLaw, order: int, colour: str, width: float, l
     ax.plot(times, np.degrees(values), color=colour, linewidth=width, label=label)
 
 
-def _limit(ax: Any, design: Design, order: int) -> None:
+def _limit(ax: Any, design: Drawn, order: int) -> None:
     """The bound on |k-th rate| leg by leg, one line through where it is the same for all."""
     style = {"color": LIMIT, "linewidth": 1, "linestyle": (0, (5, 3))}
     law = design.optimised.law
@@ -97,7 +98,7 @@ def _limit(ax: Any, design: Design, order: int) -> None:
             label = "_"
 
 
-def _nodes(ax: Any, design: Design) -> None:
+def _nodes(ax: Any, design: Drawn) -> None:
     """Lines at the nodes, dotted where the body goes straight on; dwells are shaded."""
     for segment in list_first_legs(design.optimised.law):
         if not segment.moves:
@@ -109,7 +110,7 @@ def _nodes(ax: Any, design: Design) -> None:
         ax.axvline(node.time, color=NODE, linewidth=0.7, linestyle=style, zorder=0)
 
 
-def _labels(ax: Any, design: Design) -> None:
+def _labels(ax: Any, design: Drawn) -> None:
     """Node labels above the first panel, a dwell's once; a dot marks the nodes passed at speed."""
     last = None
     for node in design.optimised.certificate.continuity.nodes[

@@ -10,7 +10,7 @@ from timelaw.report.section import RATES, Facts, Section
 def _context(facts: Facts) -> dict[str, Any]:
     laws = facts.design.laws
     return {
-        "largest_jumps": [_largest_jumps(entry.certificate.continuity.nodes) for entry in laws],
+        "largest_jumps": [largest_jumps(entry.certificate.continuity.nodes) for entry in laws],
         "rates": RATES,
         "scales": {
             entry.name: dict(
@@ -22,7 +22,7 @@ def _context(facts: Facts) -> dict[str, Any]:
     }
 
 
-def _largest_jumps(nodes: tuple[NodeReport, ...]) -> dict[str, float]:
+def largest_jumps(nodes: tuple[NodeReport, ...]) -> dict[str, float]:
     """The largest jump of each rate over all nodes of a law."""
     return {name: max(node.jump[name] for node in nodes) for name, _, _ in RATES}
 

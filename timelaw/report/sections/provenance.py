@@ -16,9 +16,14 @@ def _context(facts: Facts) -> dict[str, Any]:
         "digest": facts.digest,
         "snap": "snap" in facts.design.optimised.law.limits,
         "file": Path(facts.design.path).name,
-        "versions": {"timelaw": __version__, "Python": platform.python_version()}
-        | {name: version(name) for name in PACKAGES},
+        "versions": list_versions(),
     }
+
+
+def list_versions() -> dict[str, str]:
+    """Of what computed and drew it."""
+    own = {"timelaw": __version__, "Python": platform.python_version()}
+    return own | {name: version(name) for name in PACKAGES}
 
 
 SECTION = Section("Provenance", "provenance.html", _context)
