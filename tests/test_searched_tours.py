@@ -87,8 +87,7 @@ BEST_KNOWN = json.loads((Path(__file__).parent / "data" / "best_known_tours.json
     ("count", "closed"),
     [
         *((count, closed) for count in (100, 300) for closed in (False, True)),
-        (1000, False),
-        pytest.param(1000, True, marks=pytest.mark.campaign),
+        *(pytest.param(1000, closed, marks=pytest.mark.campaign) for closed in (False, True)),
     ],
 )
 def test_random_sets_against_the_best_tours_known(count, closed):

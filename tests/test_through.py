@@ -71,20 +71,20 @@ def list_all_measures(curve, nodes):
 
 
 @pytest.mark.parametrize("clocks", [False, True])
-@pytest.mark.parametrize(("degree", "smooth"), [(5, 2), (7, 2), (8, 3)])
-def test_slopes_are_finite_differences(degree, smooth, clocks):
+@pytest.mark.parametrize(("degree", "smooth", "pieces"), [(5, 2, 2), (8, 3, 1)])
+def test_slopes_are_finite_differences(degree, smooth, pieces, clocks):
     """Of every limit, by every variable of a piece."""
-    curve = random_curve(np.random.default_rng(20 + degree), 2, 2, degree, smooth)
+    curve = random_curve(np.random.default_rng(20 + degree), 2, pieces, degree, smooth)
     columns = number_columns(curve, np.zeros(3, dtype=bool), clocks=clocks)
-    for measure in list_all_measures(curve, curve.turn[::2]):
-        piece = np.repeat(np.arange(4), len(PLACES))
+    for measure in list_all_measures(curve, curve.turn[::pieces]):
+        piece = np.repeat(np.arange(2 * pieces), len(PLACES))
 
         def look(one, measure=measure, piece=piece):
             slopes = columns.by_clock(one, one.slopes())
-            seen = look_at(one, slopes, piece, np.tile(PLACES, 4), measure.highest)
+            seen = look_at(one, slopes, piece, np.tile(PLACES, 2 * pieces), measure.highest)
             value, slope, by_step = derive_vector(one, measure, seen, np.arange(len(piece)))
             slope[..., 2 * one.columns[0]] += by_step
-            return value.reshape(4, len(PLACES), 3), slope.reshape(4, len(PLACES), 3, -1)
+            return value.reshape(-1, len(PLACES), 3), slope.reshape(-1, len(PLACES), 3, slope.shape[-1])
 
         value, slopes = look(curve)
         total = np.zeros((*slopes.shape[:3], columns.count + 1))  # the last one of those that are fixed
@@ -152,9 +152,9 @@ def test_the_papers_tour_without_a_stop(tour, bounds, one, two):
 def test_jerk_without_jumps(tour):
     """Class C³: a little slower."""
     limits = make_limits(60, 120, 600)
-    curve, _ = climb(lay(tour, (60, 120, 600))[0], limits, Form(3))
+    curve, _ = climb(lay(tour, (60, 120, 600))[0], limits, Form(3, pieces=1))
     assert curve.smooth == 3
-    assert curve.total <= 23.8
+    assert curve.total <= 24.25
     assert is_within(curve, limits)
 
 

@@ -45,8 +45,9 @@ def format_markdown(headings: Sequence[str], rows: Sequence[Sequence[str]]) -> s
 
 
 def list_tours(paths: Sequence[Path]) -> list[Path]:
-    """Problem files whose route is a tour; for curves there is neither double-S nor physical limit."""
-    return [path for path in paths if load_problem(path)[0].route.bezier is None]
+    """Problem files whose motion is along the arcs of a tour: what passes the nodes has tables of its own."""
+    problems = {path: load_problem(path)[0] for path in paths}
+    return [path for path, p in problems.items() if p.route.bezier is None and not p.motion.through]
 
 
 def _cells(design: Design) -> list[str]:
