@@ -8,15 +8,17 @@ from itertools import pairwise
 from typing import Any
 
 import numpy as np
-from timelaw.through.rate_limits import RateLimits
 
 from tests.exact.documents import ONE, X, arc, document, dwell, quintic, rational, unit
 from tests.exact.handmade import ASLANT, follow
 from timelaw.certificate import certify
 from timelaw.export import format_law
 from timelaw.law_file import from_document
+from timelaw.through.columns import number_columns
+from timelaw.through.least_time import LeastTime
+from timelaw.through.measures import list_limit_measures
 from timelaw.through.search import improve
-from timelaw.through.start import align_signs, begin
+from timelaw.through.start import begin
 
 Document = dict[str, Any]
 
@@ -31,13 +33,14 @@ def make_chain(
     nodes: Sequence[list[float]], degree: int, count: int, *, searched: bool = True
 ) -> list[dict[str, Any]]:
     """Rational segments through nodes, of class C², from rest to rest, `count` pieces each."""
-    turns = align_signs(np.array([unit(node) for node in nodes]))
-    limits = RateLimits({k: np.asarray(bound) for k, bound in enumerate(LIMITS.values(), 1)})
-    curve = begin(turns, [], limits, degree)
+    turns = np.array([unit(node) for node in nodes])
+    turns[1:] *= np.cumprod(np.sign(np.sum(turns[1:] * turns[:-1], axis=1)))[:, None]
+    angles = np.array([2 * np.arccos(min(a @ b, 1.0)) for a, b in pairwise(turns)])
+    limits = list_limit_measures(LIMITS, [{}] * len(angles))
+    curve = begin(turns, [], 2 * angles, degree, limits)
     if searched:
-        rests = np.array([True, *[False] * (len(nodes) - 2), True])
-        angles = np.array([2 * np.arccos(min(abs(a @ b), 1.0)) for a, b in pairwise(turns)])
-        curve = improve(curve, rests, angles, limits).curve
+        held = np.array([True, *[False] * (len(nodes) - 2), True])
+        curve = improve(curve, number_columns(curve, held), angles, LeastTime(limits)).curve
     legs = [
         rational(str(k + 1), str(k + 2), halve([piece(h, points)], count))
         for k, (h, points) in enumerate(zip(curve.steps, curve.control(), strict=True))
