@@ -2,8 +2,8 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cache, cached_property
-from itertools import pairwise
+from functools import cached_property
+from itertools import chain, pairwise
 from math import fsum
 from typing import Annotated, Any, ClassVar, Literal
 
@@ -13,18 +13,16 @@ from pydantic import Field
 from timelaw.easing.profile import Side, locate
 from timelaw.limits import Bounds, Limit
 from timelaw.limits.bounds import read_bounds
-from timelaw.limits.formula import Vector, dot
-from timelaw.limits.row import FormulaRow
+from timelaw.limits.formula import Vector
 from timelaw.motion.deviation import DEVIATION, list_deviations
 from timelaw.motion.moving import LegDocument, Moving
-from timelaw.motion.quaternion_curve import QuaternionCurve
+from timelaw.motion.quaternion_curve import QuaternionCurve, stack_curves
 from timelaw.motion.schema import BRIEFEST, LONGEST, Part
-from timelaw.motion.segment import Discrepancy, Quantity
+from timelaw.motion.segment import RATES, Discrepancy, Edges, Quantity
 from timelaw.numerics.array import Array
 from timelaw.numerics.quaternion import rotation_between
 from timelaw.numerics.quotient import Quotient
 
-QUADRATURE = 24  # nodes
 WEIGHT = 1e6  # largest component of a control point: gauges near one, far from where squares overflow
 ControlPoint = Annotated[
     list[Annotated[float, Field(ge=-WEIGHT, le=WEIGHT)]], Field(min_length=4, max_length=4)
@@ -43,13 +41,6 @@ class RationalDocument(LegDocument):
 
     kind: Literal["rational"]
     pieces: Annotated[list[CurveDocument], Field(min_length=1)]
-
-
-@cache
-def _quadrature() -> tuple[Array, Array]:
-    """Gauss-Legendre nodes and weights on [0, 1]: for means that judge jumps, and prove nothing."""
-    nodes, weights = np.polynomial.legendre.leggauss(QUADRATURE)
-    return (nodes + 1) / 2, weights / 2
 
 
 @dataclass(frozen=True)
@@ -100,46 +91,54 @@ class Rational(Moving):
         return
 
     def rates(self, order: int) -> list[Quotient]:
-        """The size of the k-th rate on each piece: √(X_k·X_k/(hD)^2k)."""
+        """The size of the k-th rate on each piece."""
+        found: dict[int, Quotient] = {}
+        for stack in stack_curves(self.pieces):
+            found.update(zip(stack.piece.tolist(), stack.form.measure_rate(order), strict=True))
+        return [found[k] for k in range(len(self.pieces))]
+
+    @classmethod
+    def list_edges(cls, segments: Sequence["Rational"]) -> list[Edges]:
+        """From the rates at the ends of pieces, and their mean sizes."""
+        pieces = [piece for s in segments for piece in s.pieces]
+        ends, sums = np.empty((len(RATES), len(pieces), 2, 3)), np.empty((len(RATES), len(pieces)))
+        for stack in stack_curves(pieces):
+            ends[:, stack.piece], sums[:, stack.piece] = stack.find_ends(), stack.sum_rates()
         found = []
-        for piece in self.pieces:
-            numerator = piece.form.numerators(order)[order]
-            found.append(Quotient(dot(numerator, numerator), piece.form.power(2 * order), 2))
+        for own in _number_pieces(segments):
+            jumps = ends[:, own][:, 1:, 0] - ends[:, own][:, :-1, 1]
+            sides = np.stack([ends[:, own.start, 0], ends[:, own.stop - 1, 1]], axis=1)
+            found.append(Edges(sides, jumps, np.array([fsum(terms) for terms in sums[:, own]])))
         return found
 
-    def side(self, order: int, end: int) -> Array:
-        """The k-th rate (3,) at the first (0) or last (-1) instant, from inside."""
-        return np.array(self.pieces[end](np.array([0.0 if end == 0 else 1.0]), order)[0])
+    @classmethod
+    def find_largest(cls, segments: Sequence["Rational"]) -> Array:
+        """Over the parts of all pieces where D is even."""
+        largest = np.zeros(len(RATES))
+        for stack in stack_curves([piece for s in segments for piece in s.pieces]):
+            form = stack.form.split()
+            for k, order in enumerate(RATES):
+                peaks = Quotient.enclose_all(form.measure_rate(order))
+                largest[k] = max(largest[k], *(peak.lower for peak in peaks))
+        return largest
 
-    def jumps(self, order: int) -> Array:
-        """Jumps (p-1, 3) of the k-th rate where pieces meet."""
-        ends = np.array([0.0, 1.0])
-        values = [piece(ends, order) for piece in self.pieces]
-        return np.array([b[0] - a[1] for a, b in pairwise(values)]).reshape(-1, 3)
-
-    def sum_rate(self, order: int) -> float:
-        """∫ |k-th rate| dt, by quadrature on parts where D is even: no spike stands for all of its piece."""
-        nodes, weights = _quadrature()
-        terms = []
-        for piece in self.pieces:
-            for form in piece.forms:
-                width = form.end - form.start
-                sizes = np.linalg.norm(piece(form.start + width * nodes, order), axis=-1)
-                terms.append(piece.duration * width * float(weights @ sizes))
-        return fsum(terms)
-
-    def quantities(self, limits: Sequence[Limit], total: Vector) -> Iterator[Quantity]:
-        """Every limit's own formula in the numerators, over hD to the limit's power of time."""
-        highest = max((limit.highest for limit in limits), default=1)
-        for piece, first, width in zip(self.pieces, self.breaks[:-1], np.diff(self.breaks), strict=True):
-            for form in piece.forms:
-                rates, seen = form.numerators(highest), form.turn_back(total)
-                start, end = (float(first + width * u) for u in (form.start, form.end))
-                for limit in limits:
-                    for formula in limit.of(rates, seen):
-                        row = FormulaRow(limit.name, formula, limit.unit, limit.highest)
-                        value = Quotient(formula.value, form.power(limit.power * formula.root))
-                        yield Quantity(row, value, start, end)
+    @classmethod
+    def list_quantities(
+        cls, segments: Sequence["Rational"], limits: Sequence[Limit], total: Vector
+    ) -> list[list[Quantity]]:
+        """Every limit's own formula, on parts of pieces where D is even."""
+        pieces = [piece for s in segments for piece in s.pieces]
+        times = [pair for s in segments for pair in pairwise(s.breaks.tolist())]
+        found: list[list[Quantity]] = [[] for _ in pieces]
+        for stack in stack_curves(pieces) if limits else ():
+            form = stack.form.split()
+            bounded = form.list_bounded(limits, total)
+            parts = zip(stack.piece[form.piece].tolist(), form.start.tolist(), form.end.tolist(), strict=True)
+            for part, (k, *ends) in enumerate(parts):
+                first, last = times[k]
+                start, end = (first + (last - first) * u for u in ends)
+                found[k] += [Quantity(row, values[part], start, end) for row, values in bounded]
+        return [list(chain.from_iterable(found[own])) for own in _number_pieces(segments)]
 
     def own_quantities(self) -> Iterator[Quantity]:
         """How far it leaves the arc of its leg, where that is limited."""
@@ -180,3 +179,9 @@ class Rational(Moving):
         start, end = (np.array(v, dtype=float) for v in (s.start, s.end))
         limits = read_bounds(s.limits)
         return cls(s.origin, s.target, s.start_time, s.duration, start, end, pieces, limits)
+
+
+def _number_pieces(segments: Sequence[Rational]) -> list[slice]:
+    """Where the pieces of each segment are among those of all."""
+    bounds = np.cumsum([0, *(len(s.pieces) for s in segments)]).tolist()
+    return [slice(first, last) for first, last in pairwise(bounds)]

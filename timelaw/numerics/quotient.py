@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from timelaw.numerics.array import Array
 from timelaw.numerics.bernstein import UNIT_ROUNDOFF, halving_matrix
 from timelaw.numerics.extrema import FLOOR, GAP, MOST_PIECES, Peak
-from timelaw.numerics.polynomial import Polynomial
+from timelaw.numerics.polynomial import Polynomial, PolynomialStack
 
 DEPTH = 40  # halvings; by then a quotient of what doubles can tell apart is enclosed
 QUADRATURE = 24  # Gauss-Legendre nodes for mean squares, which judge nothing that is proved
@@ -64,6 +64,13 @@ class Quotient:
             for i, peak in zip(indices, _enclose(nums, dens), strict=True):
                 found[i] = _take_root(peak, functions[i].root)
         return [found[i] for i in range(len(functions))]
+
+
+def divide(num: PolynomialStack, den: PolynomialStack, root: int = 1) -> list[Quotient]:
+    """(num/den)^(1/root) row by row, all in one form."""
+    degree = max(num.degree, den.degree)
+    rows = zip(num.raised(degree).list_rows(), den.raised(degree).list_rows(), strict=True)
+    return [Quotient(one, two, root) for one, two in rows]
 
 
 def _take_root(peak: Peak, root: int) -> Peak:
