@@ -130,11 +130,11 @@ class Arc(Moving):
     def list_quantities(
         cls,
         segments: Sequence["Arc"],
-        limits: Sequence[Limit],
+        limits: Sequence[Sequence[Limit]],
         total: Vector,  # noqa: ARG003
     ) -> list[list[Quantity]]:
         """Rows about the axis, as polynomials in time on each piece."""
-        return [list(s._list_rows(limits)) for s in segments]
+        return [list(s._list_rows(own)) for s, own in zip(segments, limits, strict=True)]
 
     def _list_rows(self, limits: Sequence[Limit]) -> Iterator[Quantity]:
         breaks = self.breaks.tolist()

@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 
 from timelaw.limits import Limit
 from timelaw.limits.formula import Vector, cross, dot, product
-from timelaw.limits.row import FormulaRow
 from timelaw.numerics.array import Array
 from timelaw.numerics.polynomial import PolynomialStack
 from timelaw.numerics.quotient import Quotient, divide
@@ -98,19 +97,23 @@ class CurveForm:
 
     def measure_rate(self, order: int) -> list[Quotient]:
         """The size of the k-th rate on each part: √(X_k·X_k/(hD)^2k)."""
-        numerator = self.numerators(order)[order]
-        return divide(dot(numerator, numerator), self.power(2 * order), 2)
+        with np.errstate(over="ignore", invalid="ignore"):
+            numerator = self.numerators(order)[order]
+            return divide(dot(numerator, numerator), self.power(2 * order), 2)
 
-    def list_bounded(self, limits: Sequence[Limit], total: Vector) -> list[tuple[FormulaRow, list[Quotient]]]:
-        """Every limit's own formula in the numerators, over hD to the limit's power of time, on each part."""
-        highest = max((limit.highest for limit in limits), default=1)
-        rates, seen = self.numerators(highest), self.turn_back(total)
-        found = []
-        for limit in limits:
-            for f in limit.of(rates, seen):
-                row = FormulaRow(limit.name, f.label, limit.unit, f.bound, f.root, limit.highest)
-                found.append((row, divide(f.value, self.power(limit.power * f.root))))
-        return found
+    def divide_formulas(self, limits: Sequence[Limit], total: Vector) -> list[list[Quotient]]:
+        """Every limit's own formulas in the numerators, over hD to the limit's power, on each part.
+
+        What is beyond doubles is not finite, and has no bound.
+        """
+        with np.errstate(over="ignore", invalid="ignore"):
+            rates = self.numerators(max(limit.highest for limit in limits))
+            seen = self.turn_back(total)
+            return [
+                divide(formula.value, self.power(limit.power * formula.root))
+                for limit in limits
+                for formula in limit.of(rates, seen)
+            ]
 
     def turn_back(self, vector: Vector) -> Vector:
         """A vector v (3) of the world in body axes, times hD: the vector part of Q̄ ⊗ (0, hv) ⊗ Q."""

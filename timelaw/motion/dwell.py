@@ -97,7 +97,7 @@ class Dwell:
     def list_quantities(
         cls,
         segments: Sequence["Dwell"],
-        limits: Sequence[Limit],  # noqa: ARG003
+        limits: Sequence[Sequence[Limit]],  # noqa: ARG003
         total: Vector,  # noqa: ARG003
     ) -> list[list[Quantity]]:
         """Nothing at rest is limited."""

@@ -1,6 +1,5 @@
 """The motion of the body as a function of time: orientation, matrices, and rates in body axes."""
 
-from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -9,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from timelaw.easing.profile import Side, locate
-from timelaw.limits import LIMITS, Bounds, make_limits
+from timelaw.limits import Bounds, make_limits
 from timelaw.limits.body import RigidBody
 from timelaw.limits.formula import Vector, product
 from timelaw.motion.segment import MAX_ORDER, Edges, Quantity, Segment, group_by_kind
@@ -123,26 +122,15 @@ class QuaternionLaw:
     def list_quantities(self, segments: Sequence[Segment]) -> list[list[tuple[str, Quantity]]]:
         """What is limited on each of them, each with a label that names a limit of that segment alone so."""
         found: list[list[tuple[str, Quantity]]] = [[] for _ in segments]
+        general = make_limits(self.limits, self.body)
         for kind, numbers in group_by_kind(segments).items():
-            own_limits = _group_by_limits(segments, numbers)
-            for limits, own, place in [(self.limits, numbers, ""), *((*one, " on {}") for one in own_limits)]:
-                asked = make_limits(limits, self.body), self.total_momentum
-                bounded = kind.list_quantities([segments[k] for k in own], *asked)
-                for k, quantities in zip(own, bounded, strict=True):
+            members = [segments[k] for k in numbers]
+            own = [make_limits(segment.limits, self.body) for segment in members]
+            for limits, place in (([general] * len(members), ""), (own, " on {}")):
+                bounded = kind.list_quantities(members, limits, self.total_momentum)
+                for k, quantities in zip(numbers, bounded, strict=True):
                     suffix = place.format(segments[k].name)
                     found[k] += [(quantity.row.label + suffix, quantity) for quantity in quantities]
         for segment, labelled in zip(segments, found, strict=True):
             labelled += [(quantity.row.label, quantity) for quantity in segment.own_quantities()]
         return found
-
-
-def _group_by_limits(
-    segments: Sequence[Segment], numbers: Sequence[int]
-) -> list[tuple[Mapping[str, Bounds], list[int]]]:
-    """Limits that segments have besides those of the law, with the numbers of those that have the same."""
-    found: dict[tuple[tuple[str, Bounds], ...], list[int]] = defaultdict(list)
-    for k in numbers:
-        found[
-            tuple((name, segments[k].limits[name]) for name in LIMITS if name in segments[k].limits)
-        ].append(k)
-    return [(dict(limits), own) for limits, own in found.items() if limits]

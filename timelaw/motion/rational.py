@@ -1,5 +1,6 @@
 """Segments of kind `rational`: the orientation is Q/|Q|, Q a quaternion polynomial in time on each piece."""
 
+from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -14,6 +15,7 @@ from timelaw.easing.profile import Side, locate
 from timelaw.limits import Bounds, Limit
 from timelaw.limits.bounds import read_bounds
 from timelaw.limits.formula import Vector
+from timelaw.limits.registry import list_formula_rows
 from timelaw.motion.deviation import DEVIATION, list_deviations
 from timelaw.motion.moving import LegDocument, Moving
 from timelaw.motion.quaternion_curve import QuaternionCurve, stack_curves
@@ -118,27 +120,27 @@ class Rational(Moving):
         for stack in stack_curves([piece for s in segments for piece in s.pieces]):
             form = stack.form.split()
             for k, order in enumerate(RATES):
-                peaks = Quotient.enclose_all(form.measure_rate(order))
-                largest[k] = max(largest[k], *(peak.lower for peak in peaks))
+                largest[k] = max(largest[k], Quotient.find_largest(form.measure_rate(order)))
         return largest
 
     @classmethod
     def list_quantities(
-        cls, segments: Sequence["Rational"], limits: Sequence[Limit], total: Vector
+        cls, segments: Sequence["Rational"], limits: Sequence[Sequence[Limit]], total: Vector
     ) -> list[list[Quantity]]:
-        """Every limit's own formula, on parts of pieces where D is even."""
-        pieces = [piece for s in segments for piece in s.pieces]
-        times = [pair for s in segments for pair in pairwise(s.breaks.tolist())]
-        found: list[list[Quantity]] = [[] for _ in pieces]
-        for stack in stack_curves(pieces) if limits else ():
-            form = stack.form.split()
-            bounded = form.list_bounded(limits, total)
-            parts = zip(stack.piece[form.piece].tolist(), form.start.tolist(), form.end.tolist(), strict=True)
-            for part, (k, *ends) in enumerate(parts):
-                first, last = times[k]
-                start, end = (first + (last - first) * u for u in ends)
-                found[k] += [Quantity(row, values[part], start, end) for row, values in bounded]
-        return [list(chain.from_iterable(found[own])) for own in _number_pieces(segments)]
+        """Every limit's own formula, on parts of pieces where D is even.
+
+        Limits that differ in their bounds alone have the same numerators.
+        """
+        alike: dict[tuple[tuple[str, int], ...], list[int]] = defaultdict(list)
+        for k, own in enumerate(limits):
+            alike[tuple((limit.name, np.ndim(limit.bounds)) for limit in own)].append(k)
+        found: list[list[Quantity]] = [[] for _ in segments]
+        for forms, numbers in alike.items():
+            if forms:
+                bounded = _bound([segments[k] for k in numbers], [limits[k] for k in numbers], total)
+                for k, quantities in zip(numbers, bounded, strict=True):
+                    found[k] = quantities
+        return found
 
     def own_quantities(self) -> Iterator[Quantity]:
         """How far it leaves the arc of its leg, where that is limited."""
@@ -185,3 +187,22 @@ def _number_pieces(segments: Sequence[Rational]) -> list[slice]:
     """Where the pieces of each segment are among those of all."""
     bounds = np.cumsum([0, *(len(s.pieces) for s in segments)]).tolist()
     return [slice(first, last) for first, last in pairwise(bounds)]
+
+
+def _bound(
+    segments: Sequence[Rational], limits: Sequence[Sequence[Limit]], total: Vector
+) -> list[list[Quantity]]:
+    """Quantities of segments whose limits differ in their bounds alone."""
+    pieces = [piece for s in segments for piece in s.pieces]
+    times = [pair for s in segments for pair in pairwise(s.breaks.tolist())]
+    rows = [own for s, own in zip(segments, map(list_formula_rows, limits), strict=True) for _ in s.pieces]
+    found: list[list[Quantity]] = [[] for _ in pieces]
+    for stack in stack_curves(pieces):
+        form = stack.form.split()
+        values = form.divide_formulas(limits[0], total)
+        parts = zip(stack.piece[form.piece].tolist(), form.start.tolist(), form.end.tolist(), strict=True)
+        for (k, *ends), own in zip(parts, zip(*values, strict=True), strict=True):
+            first, last = times[k]
+            start, end = (first + (last - first) * u for u in ends)
+            found[k] += [Quantity(row, value, start, end) for row, value in zip(rows[k], own, strict=True)]
+    return [list(chain.from_iterable(found[own])) for own in _number_pieces(segments)]

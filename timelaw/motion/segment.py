@@ -136,9 +136,9 @@ class Segment(Protocol):
 
     @classmethod
     def list_quantities(
-        cls, segments: Sequence[Self], limits: Sequence[Limit], total: Vector
+        cls, segments: Sequence[Self], limits: Sequence[Sequence[Limit]], total: Vector
     ) -> list[list[Quantity]]:
-        """What limits bound on each of many segments, piece by piece; `total` is H (3,) in the world."""
+        """What each of many segments' limits bound on it, piece by piece; `total` is H (3,) in the world."""
         ...
 
     def own_quantities(self) -> Iterator[Quantity]:
