@@ -15,7 +15,9 @@ from timelaw.certificate.record import compare_with_record
 from timelaw.errors import InputError
 from timelaw.export import format_law, format_samples
 from timelaw.law_file import from_document, to_document
-from timelaw.motion.origin_curve import OriginCurve
+from timelaw.limits.formula import LINEAR as LINEAR_KEYS
+from timelaw.motion.origin_curve import HIGHEST_LIMITED, OriginCurve, derive_origins
+from timelaw.motion.quaternion_curve import stack_curves
 
 RNG = np.random.default_rng(12)
 LIMITS = {"velocity": 1.0, "acceleration": 2.0, "jerk": 10.0}
@@ -42,7 +44,8 @@ def test_rates_of_the_origin_are_derivatives_of_its_place(seed):
     rng = np.random.default_rng(seed)
     turn = make_curve(rng, degree=int(rng.integers(1, 9)))
     curve = OriginCurve(rng.normal(size=(int(rng.integers(1, 12)), 3)), turn)
-    numerators, square = curve.numerators(turn.form, 3), turn.form.power(1)
+    (stack,) = stack_curves([turn])
+    numerators, square = derive_origins([curve], stack.form), stack.form.power(1).list_rows()[0]
     for u in (0.1, 0.6):
         t, at = mpmath.mpf(u) * mpmath.mpf(turn.duration), np.array([u])
         for order in range(4):
@@ -50,8 +53,11 @@ def test_rates_of_the_origin_are_derivatives_of_its_place(seed):
                 exact = [float(mpmath.diff(lambda s, i=i: place(curve, s)[i], t, order)) for i in range(3)]
             size = np.linalg.norm(exact) + turn.duration**-order
             assert np.linalg.norm(curve(at, order)[0] - exact) < 1e-10 * size
-            if order:
-                formula = [p(at)[0] / square(at)[0] ** (order + 1) for p in numerators[order]]
+            if 0 < order <= HIGHEST_LIMITED:
+                formula = [
+                    p(at)[0] / square(at)[0] ** (order + 1)
+                    for p in (part.list_rows()[0] for part in numerators[LINEAR_KEYS[order]])
+                ]
                 assert np.linalg.norm(np.subtract(formula, exact)) < 1e-10 * size
 
 

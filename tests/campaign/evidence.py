@@ -124,9 +124,9 @@ class Evidence:
         """(part of the scale, order, place) of every jump up to the continuity asked for."""
         orders = range(1, self.spec.continuity + 1)
         found = [jump for order in orders for jump in self._node_jumps(order)]
-        for segment in self.law.segments:
+        for segment, edges in zip(self.law.segments, self.law.edges, strict=True):
             for k in orders:
-                for place, jump in zip(segment.breaks[1:], segment.jumps(k), strict=False):
+                for place, jump in zip(segment.breaks[1:], edges.jumps[k - 1], strict=False):
                     at = f"inside {segment.name} at {place:.9g} of it"
                     found.append((float(np.linalg.norm(jump)) / (self.scale[k] or 1.0), k, at))
         return found

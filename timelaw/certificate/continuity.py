@@ -8,9 +8,8 @@ import numpy as np
 
 from timelaw.certificate.jump_scale import JumpScale, list_scales
 from timelaw.motion import QuaternionLaw, Segment
-from timelaw.motion.segment import RATES
+from timelaw.motion.segment import RATES, Edges
 from timelaw.numerics.array import Array
-from timelaw.numerics.function import enclose_peaks
 from timelaw.numerics.turn import SAME_AXIS, angle_between_axes
 
 JUMP_TOLERANCE = 1e-9  # of the limit of that order, or of what the motion sustains
@@ -84,23 +83,25 @@ def check_continuity(law: QuaternionLaw) -> Continuity:
     """
     scales = list_scales(law)
     nodes = tuple(_node(law, index, scales) for index in range(len(law.segments) + 1))
-    inside = {k: _largest_inside(law.segments, k, scales[k]) for k in RATES}
+    inside = {k: _largest_inside(law.edges, k, scales[k]) for k in RATES}
     order = min([_class(inside), *(node.continuity for node in nodes)])
     worst = {k: max([inside[k], *(node.parts[k] for node in nodes)]) for k in range(1, order + 1)}
-    return Continuity(nodes, _class(inside), _peaks(law), worst)
+    return Continuity(
+        nodes, _class(inside), dict(zip(RATES, law.find_largest().tolist(), strict=True)), worst
+    )
 
 
-def _largest_inside(segments: Sequence[Segment], order: int, scales: Sequence[JumpScale]) -> float:
+def _largest_inside(edges: Sequence[Edges], order: int, scales: Sequence[JumpScale]) -> float:
     """The largest jump of a rate inside segments, in parts of its scale."""
-    parts = [scale.relate(s.jumps(order)) for s, scale in zip(segments, scales, strict=True)]
+    parts = [scale.relate(e.jumps[order - 1]) for e, scale in zip(edges, scales, strict=True)]
     return float(np.max(np.concatenate(parts), initial=0.0))
 
 
 def _node(law: QuaternionLaw, index: int, scales: Mapping[int, Sequence[JumpScale]]) -> NodeReport:
     last = law.segments[index - 1] if index else None
     following = law.segments[index] if index < len(law.segments) else None
-    before = {k: last.side(k, -1) if last else law.outside(k, 0) for k in RATES}
-    after = {k: following.side(k, 0) if following else law.outside(k, -1) for k in RATES}
+    before = {k: law.edges[index - 1].sides[k - 1, -1] if last else law.outside(k, 0) for k in RATES}
+    after = {k: law.edges[index].sides[k - 1, 0] if following else law.outside(k, -1) for k in RATES}
     jumps = {k: after[k] - before[k] for k in RATES}
     sides = {k: scales[k][max(index - 1, 0) : index + 1] for k in RATES}
     parts = {k: float(min(scale.relate(jumps[k]) for scale in sides[k])) for k in RATES}
@@ -131,15 +132,6 @@ def _kind(last: Segment | None, following: Segment | None, *, moving: bool) -> t
         return ("passed" if moving else "stop"), None
     turn = angle_between_axes(axes[0], axes[1])
     return ("straight" if turn <= SAME_AXIS else "corner"), turn
-
-
-def _peaks(law: QuaternionLaw) -> dict[int, float]:
-    """The largest value of each rate in the motion."""
-    places = [(k, rate) for segment in law.segments for k in RATES for rate in segment.rates(k)]
-    peaks = dict.fromkeys(RATES, 0.0)
-    for (order, _), peak in zip(places, enclose_peaks([rate for _, rate in places]), strict=True):
-        peaks[order] = max(peaks[order], peak.lower)
-    return peaks
 
 
 def _class(parts: Mapping[int, float]) -> int:

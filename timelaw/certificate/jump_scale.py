@@ -3,7 +3,6 @@
 A peak would do instead of what is sustained, if nobody could hide a jump behind a spike of a microsecond.
 """
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -36,10 +35,10 @@ def list_scales(law: QuaternionLaw) -> dict[int, list[JumpScale]]:
     largest mean ω over the (k-1)-th power of the whole duration, for in a steady turn all else is rounding.
     """
     names = {order: name for name, order in ORDERS.items()}
-    slowest = _sustain(law.legs, 1)
+    slowest = _sustain(law, 1)
     found = {}
     for k in RATES:
-        sustained = np.array(max(_sustain(law.legs, k), slowest / np.power(law.duration, k - 1.0)))
+        sustained = np.array(max(_sustain(law, k), slowest / np.power(law.duration, k - 1.0)))
         found[k] = [_choose(law, segment, names[k], sustained) for segment in law.segments]
     return found
 
@@ -49,10 +48,11 @@ def _choose(law: QuaternionLaw, segment: Segment, name: str, sustained: Array) -
     return JumpScale((*given, LOOSE * sustained) if given else (sustained,))
 
 
-def _sustain(legs: Sequence[Segment], order: int) -> float:
+def _sustain(law: QuaternionLaw, order: int) -> float:
     """The largest mean size of a rate over a leg."""
-    brief = BRIEF * float(np.mean([leg.duration for leg in legs])) if legs else 0.0
-    return max((leg.sum_rate(order) / max(leg.duration, brief) for leg in legs), default=0.0)
+    brief = BRIEF * float(np.mean([leg.duration for leg in law.legs])) if law.legs else 0.0
+    legs = [(s.duration, edges) for s, edges in zip(law.segments, law.edges, strict=True) if s.moves]
+    return max((float(edges.sums[order - 1]) / max(time, brief) for time, edges in legs), default=0.0)
 
 
 def _divide(jumps: Array, bound: Array) -> Array:

@@ -84,8 +84,8 @@ class LegPeak:
 def find_leg_peaks(law: QuaternionLaw) -> tuple[LegPeak, ...]:
     """For each segment and each limit there where the limit is nearest; segments in their order."""
     places: dict[tuple[int, str], list[Quantity]] = defaultdict(list)
-    for index, segment in enumerate(law.segments):
-        for label, quantity in law.quantities(segment):
+    for index, labelled in enumerate(law.list_quantities(law.segments)):
+        for label, quantity in labelled:
             places[index, label].append(quantity)
     tops = iter(enclose_peaks([quantity.value for found in places.values() for quantity in found]))
     return tuple(

@@ -6,11 +6,12 @@ import numpy as np
 
 from timelaw.limits.body import RigidBody
 from timelaw.limits.bounds import Bounds
+from timelaw.limits.formula import LINEAR, ZERO
 from timelaw.limits.limit import Limit, LimitKind
 from timelaw.limits.linear import LinearRate
 from timelaw.limits.momentum import Momentum, find_contradiction
 from timelaw.limits.rate import Rate
-from timelaw.limits.row import ORDERS, Row
+from timelaw.limits.row import ORDERS, FormulaRow, Row
 from timelaw.limits.torque import ACTUATORS
 from timelaw.numerics.array import Array
 from timelaw.units import (
@@ -66,6 +67,16 @@ POINT = RigidBody(np.eye(3))  # for limits that ask for no body
 def make_limits(given: Mapping[str, Bounds], body: RigidBody | None = None) -> tuple[Limit, ...]:
     """The limits that a problem or law file gives, in the order of the registry."""
     return tuple(kind.make(given[name], body or POINT) for name, kind in LIMITS.items() if name in given)
+
+
+def list_formula_rows(limits: Sequence[Limit]) -> list[FormulaRow]:
+    """The formulas of the limits as rows, in their order: labels and bounds, whatever the rates."""
+    rates = dict.fromkeys([*ORDERS.values(), *LINEAR.values()], ZERO)
+    return [
+        FormulaRow(limit.name, f.label, limit.unit, f.bound, f.root, limit.highest)
+        for limit in limits
+        for f in limit.of(rates)
+    ]
 
 
 def list_rows(limits: Sequence[Limit], axis: Array) -> tuple[Row, ...]:

@@ -17,8 +17,6 @@ from dataclasses import dataclass
 from math import inf
 from typing import Any, ClassVar, Protocol
 
-from timelaw.limits.formula import Formula
-
 ORDERS = {"velocity": 1, "acceleration": 2, "jerk": 3, "snap": 4}  # of the limited rates
 
 
@@ -138,28 +136,18 @@ class RateRow:
 
 @dataclass(frozen=True)
 class FormulaRow:
-    """A limit's formula in the vectors ω, α, …, the `highest` rate in it of that order, for a proof."""
+    """A limit's formula in the vectors ω, α, …, the `highest` rate in it of that order, for a proof.
+
+    |g| ≤ `bound` where g is the `root`-th power of what the `label` names.
+    """
 
     limit: str
-    formula: Formula
+    label: str
     unit: str
+    bound: float
+    root: int
     highest: int
     note: str = ""
-
-    @property
-    def label(self) -> str:
-        """Of the formula."""
-        return self.formula.label
-
-    @property
-    def bound(self) -> float:
-        """On the root-th power of what is limited."""
-        return self.formula.bound
-
-    @property
-    def root(self) -> int:
-        """Of the formula."""
-        return self.formula.root
 
     @property
     def orders(self) -> tuple[int, ...]:

@@ -25,10 +25,11 @@ from timelaw.motion.schema import (
     Part,
     Vector3,
 )
-from timelaw.motion.segment import MAX_ORDER, Discrepancy, Quantity
+from timelaw.motion.segment import MAX_ORDER, RATES, Discrepancy, Edges, Quantity
 from timelaw.numerics.array import Array
 from timelaw.numerics.ball import enclose_direction
 from timelaw.numerics.bernstein import integrate_square
+from timelaw.numerics.function import enclose_peaks
 from timelaw.numerics.polynomial import Polynomial
 from timelaw.numerics.quaternion import from_axis_angle, multiply, normalise, rotation_between
 
@@ -104,20 +105,49 @@ class Arc(Moving):
         """The k-th time derivative of the travelled angle, a polynomial on each piece."""
         return self.profile.derivative(order)
 
-    def side(self, order: int, end: int) -> Array:
-        """The k-th rate (3,) at the first (0) or last (-1) instant, from inside."""
-        return np.array(self.rates(order)[end].control[end] * self.direction)
+    @classmethod
+    def list_edges(cls, segments: Sequence["Arc"]) -> list[Edges]:
+        """From the rates of φ."""
+        return [s._find_edges() for s in segments]
 
-    def jumps(self, order: int) -> Array:
-        """Jumps (p-1, 3) of the k-th rate where pieces meet."""
-        return np.array(self._gaps(order)[:, None] * self.direction)
+    def _find_edges(self) -> Edges:
+        rates = [self.rates(order) for order in RATES]
+        ends = np.array([[found[end].control[end] for end in (0, -1)] for found in rates])
+        gaps = np.array([self._gaps(order) for order in RATES])
+        sums = np.array([self._sum_rate(order) for order in RATES])
+        return Edges(ends[..., None] * self.direction, gaps[..., None] * self.direction, sums)
+
+    @classmethod
+    def find_largest(cls, segments: Sequence["Arc"]) -> Array:
+        """Those of φ."""
+        largest = np.zeros(len(RATES))
+        places = [(k, rate) for s in segments for k, order in enumerate(RATES) for rate in s.rates(order)]
+        for (k, _), peak in zip(places, enclose_peaks([rate for _, rate in places]), strict=True):
+            largest[k] = max(largest[k], peak.lower)
+        return largest
+
+    @classmethod
+    def list_quantities(
+        cls,
+        segments: Sequence["Arc"],
+        limits: Sequence[Sequence[Limit]],
+        total: Vector,  # noqa: ARG003
+    ) -> list[list[Quantity]]:
+        """Rows about the axis, as polynomials in time on each piece."""
+        return [list(s._list_rows(own)) for s, own in zip(segments, limits, strict=True)]
+
+    def _list_rows(self, limits: Sequence[Limit]) -> Iterator[Quantity]:
+        breaks = self.breaks.tolist()
+        rows = list_rows(limits, enclose_direction(self.axis))
+        for row, piece, polynomial in expand_rows(rows, self.rates):
+            yield Quantity(row, polynomial, breaks[piece], breaks[piece + 1])
 
     def _gaps(self, order: int) -> Array:
         """Jumps (p-1,) of a derivative of φ."""
         rates = self.rates(order)
         return np.array([b.control[0] - a.control[-1] for a, b in pairwise(rates)])
 
-    def sum_rate(self, order: int) -> float:
+    def _sum_rate(self, order: int) -> float:
         """Σ h √(mean of φ^(k)² on the piece)."""
         pieces = zip(self.profile.pieces, self.rates(order), strict=True)
         by_degree: dict[int, list[tuple[float, Array]]] = defaultdict(list)
@@ -127,13 +157,6 @@ class Arc(Moving):
             float(np.array([h for h, _ in group]) @ np.sqrt(integrate_square([c for _, c in group])))
             for group in by_degree.values()
         )
-
-    def quantities(self, limits: Sequence[Limit], total: Vector) -> Iterator[Quantity]:  # noqa: ARG002
-        """Rows about the axis, as polynomials in time on each piece."""
-        breaks = self.breaks.tolist()
-        rows = list_rows(limits, enclose_direction(self.axis))
-        for row, piece, polynomial in expand_rows(rows, self.rates):
-            yield Quantity(row, polynomial, breaks[piece], breaks[piece + 1])
 
     def own_quantities(self) -> Iterator[Quantity]:
         """None."""

@@ -11,7 +11,7 @@ from timelaw.easing.profile import Side
 from timelaw.limits import Bounds, Limit
 from timelaw.limits.formula import Vector
 from timelaw.motion.schema import Duration, Number, Part, Text, Vector3, Vector4
-from timelaw.motion.segment import Discrepancy, Quantity
+from timelaw.motion.segment import RATES, Discrepancy, Edges, Quantity
 from timelaw.numerics.array import Array
 from timelaw.numerics.polynomial import Polynomial
 from timelaw.numerics.quaternion import normalise
@@ -97,21 +97,26 @@ class Dwell:
         """Nothing moves."""
         return [Polynomial(np.zeros(1))]
 
-    def side(self, order: int, end: int) -> Array:  # noqa: ARG002
-        """The k-th rate (3,) at the first (0) or last (-1) instant: zero."""
-        return np.zeros(3)
+    @classmethod
+    def list_edges(cls, segments: Sequence["Dwell"]) -> list[Edges]:
+        """Nothing moves, and there is no break inside."""
+        count = len(RATES)
+        return [Edges(np.zeros((count, 2, 3)), np.zeros((count, 0, 3)), np.zeros(count))] * len(segments)
 
-    def jumps(self, order: int) -> Array:  # noqa: ARG002
-        """There is no break inside."""
-        return np.zeros((0, 3))
-
-    def sum_rate(self, order: int) -> float:  # noqa: ARG002
+    @classmethod
+    def find_largest(cls, segments: Sequence["Dwell"]) -> Array:  # noqa: ARG003
         """Nothing moves."""
-        return 0.0
+        return np.zeros(len(RATES))
 
-    def quantities(self, limits: Sequence[Limit], total: Vector) -> Iterator[Quantity]:  # noqa: ARG002
+    @classmethod
+    def list_quantities(
+        cls,
+        segments: Sequence["Dwell"],
+        limits: Sequence[Sequence[Limit]],  # noqa: ARG003
+        total: Vector,  # noqa: ARG003
+    ) -> list[list[Quantity]]:
         """Nothing at rest is limited."""
-        yield from ()
+        return [[] for _ in segments]
 
     def own_quantities(self) -> Iterator[Quantity]:
         """None."""

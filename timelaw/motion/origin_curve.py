@@ -5,17 +5,20 @@ derivative of c times h^k D^(k+1) [HZ2019]. P may have any degree: 2d where its 
 path without |Q|² times |Q|², which divides out again.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from math import comb
 
 import numpy as np
 
-from timelaw.limits.formula import Vector
+from timelaw.limits.formula import LINEAR, Vector
 from timelaw.motion.curve_form import CurveForm
 from timelaw.motion.quaternion_curve import QuaternionCurve
 from timelaw.numerics.array import Array, freeze
 from timelaw.numerics.bernstein import differentiate, evaluate
-from timelaw.numerics.polynomial import Polynomial
+from timelaw.numerics.polynomial import Polynomial, PolynomialStack
+
+HIGHEST_LIMITED = 2  # derivative of the origin's place that a limit may bound
 
 
 @dataclass(frozen=True)
@@ -44,20 +47,32 @@ class OriginCurve:
             found.append(value / square[0][..., None])
         return found[-1]
 
-    def numerators(self, form: CurveForm, highest: int) -> dict[int, Vector]:
-        """hY_k (3) for k = 1 … `highest` on a part of the piece: the k-th derivative is hY_k/(hD)^(k+1)."""
-        width = form.end - form.start
-        parts = [_restrict(Polynomial(column), form.start, form.end) for column in self._level.T]
-        found: dict[int, Vector] = {}
-        for k in range(highest):
-            parts = [p.derive(width) * form.square + p * form.slope * -(k + 1.0) for p in parts]
-            found[k + 1] = [part * form.duration for part in parts]
-        return found
-
     @property
     def _level(self) -> Array:
         """Points over the power of two by which the control points of Q are smaller, twice."""
         return np.asarray(np.ldexp(self.points, -2 * self.turn.exponent))
+
+    def restrict(self, start: float, end: float) -> list[Polynomial]:
+        """P (3) on one of the parts that halving makes."""
+        return [_restrict(Polynomial(column), start, end) for column in self._level.T]
+
+
+def derive_origins(origins: Sequence[OriginCurve], form: CurveForm) -> dict[int, Vector]:
+    """By their keys in limits hY_k (3) on parts of pieces: the k-th derivative is hY_k/(hD)^(k+1)."""
+    whole = zip(form.piece.tolist(), form.start.tolist(), form.end.tolist(), strict=True)
+    rows = [origins[k].restrict(start, end) for k, start, end in whole]
+    degree = max(part.degree for row in rows for part in row)
+    parts = [_stack([part.raised(degree) for part in column]) for column in zip(*rows, strict=True)]
+    faster = 1 / (form.end - form.start)  # a power of two
+    found: dict[int, Vector] = {}
+    for k in range(HIGHEST_LIMITED):
+        parts = [p.derive() * faster * form.square + p * form.slope * -(k + 1.0) for p in parts]
+        found[LINEAR[k + 1]] = [part * form.duration for part in parts]
+    return found
+
+
+def _stack(parts: Sequence[Polynomial]) -> PolynomialStack:
+    return PolynomialStack(np.stack([p.control for p in parts]), np.array([p.error for p in parts]))
 
 
 def _restrict(whole: Polynomial, start: float, end: float) -> Polynomial:

@@ -1,6 +1,6 @@
 """The motion of the body as a function of time: orientation, matrices, and rates in body axes."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -11,7 +11,7 @@ from timelaw.easing.profile import Side, locate
 from timelaw.limits import Bounds, make_limits
 from timelaw.limits.body import RigidBody
 from timelaw.limits.formula import Vector, product
-from timelaw.motion.segment import MAX_ORDER, Quantity, Segment
+from timelaw.motion.segment import MAX_ORDER, Edges, Quantity, Segment, group_by_kind
 from timelaw.numerics.array import Array, freeze
 from timelaw.numerics.ball import Ball, enclose_direction
 from timelaw.numerics.quaternion import rotation_matrix
@@ -123,13 +123,37 @@ class QuaternionLaw:
     def outside(self, order: int, end: int) -> Array:
         """The k-th rate (3,) before its start (0) or after its end (-1)."""
         if self.periodic:
-            return self.segments[-1 if end == 0 else 0].side(order, -1 if end == 0 else 0)
+            edges = self.edges[-1 if end == 0 else 0]
+            return np.array(edges.sides[order - 1, -1 if end == 0 else 0])
         return (self.before if end == 0 else self.after).get(order, np.zeros(3))
 
-    def quantities(self, segment: Segment) -> Iterator[tuple[str, Quantity]]:
-        """What is limited on a segment, each with a label that names a limit of that segment alone so."""
-        for limits, place in ((self.limits, ""), (segment.limits, f" on {segment.name}")):
-            for quantity in segment.quantities(make_limits(limits, self.body), self.total_momentum):
-                yield quantity.row.label + place, quantity
-        for quantity in segment.own_quantities():
-            yield quantity.row.label, quantity
+    @cached_property
+    def edges(self) -> tuple[Edges, ...]:
+        """The rates at the edges of each segment."""
+        found: dict[int, Edges] = {}
+        for kind, numbers in group_by_kind(self.segments).items():
+            edges = kind.list_edges([self.segments[k] for k in numbers])
+            found.update(zip(numbers, edges, strict=True))
+        return tuple(found[k] for k in range(len(self.segments)))
+
+    def find_largest(self) -> Array:
+        """The largest |ω|, |α|, |jerk|, |snap| (4,) of the motion."""
+        kinds = group_by_kind(self.segments).items()
+        found = [kind.find_largest([self.segments[k] for k in numbers]) for kind, numbers in kinds]
+        return np.asarray(np.max(found, axis=0))
+
+    def list_quantities(self, segments: Sequence[Segment]) -> list[list[tuple[str, Quantity]]]:
+        """What is limited on each of them, each with a label that names a limit of that segment alone so."""
+        found: list[list[tuple[str, Quantity]]] = [[] for _ in segments]
+        general = make_limits(self.limits, self.body)
+        for kind, numbers in group_by_kind(segments).items():
+            members = [segments[k] for k in numbers]
+            own = [make_limits(segment.limits, self.body) for segment in members]
+            for limits, place in (([general] * len(members), ""), (own, " on {}")):
+                bounded = kind.list_quantities(members, limits, self.total_momentum)
+                for k, quantities in zip(numbers, bounded, strict=True):
+                    suffix = place.format(segments[k].name)
+                    found[k] += [(quantity.row.label + suffix, quantity) for quantity in quantities]
+        for segment, labelled in zip(segments, found, strict=True):
+            labelled += [(quantity.row.label, quantity) for quantity in segment.own_quantities()]
+        return found

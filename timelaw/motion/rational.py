@@ -3,70 +3,31 @@
 The body's origin may move with it, along P/|Q|², P a polynomial too.
 """
 
+from collections import defaultdict
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cache, cached_property
-from itertools import pairwise
+from functools import cached_property
+from itertools import chain, pairwise
 from math import fsum
-from typing import Annotated, Any, ClassVar, Literal, Self
+from typing import Any, ClassVar
 
 import numpy as np
-from pydantic import Field, model_validator
 
 from timelaw.easing.profile import Side, locate
 from timelaw.limits import Bounds, Limit
 from timelaw.limits.bounds import read_bounds
-from timelaw.limits.formula import LINEAR, Vector, dot
-from timelaw.limits.row import FormulaRow
+from timelaw.limits.formula import Vector
+from timelaw.limits.registry import list_formula_rows
 from timelaw.motion.deviation import DEVIATION, list_deviations
-from timelaw.motion.moving import LegDocument, Moving
-from timelaw.motion.origin_curve import OriginCurve
-from timelaw.motion.quaternion_curve import QuaternionCurve
-from timelaw.motion.schema import BRIEFEST, LONGEST, Part
-from timelaw.motion.segment import Discrepancy, Quantity
+from timelaw.motion.moving import Moving
+from timelaw.motion.origin_curve import OriginCurve, derive_origins
+from timelaw.motion.quaternion_curve import QuaternionCurve, stack_curves
+from timelaw.motion.rational_document import RationalDocument
+from timelaw.motion.schema import Part
+from timelaw.motion.segment import RATES, Discrepancy, Edges, Quantity
 from timelaw.numerics.array import Array
 from timelaw.numerics.quaternion import rotation_between
 from timelaw.numerics.quotient import Quotient
-
-QUADRATURE = 24  # nodes
-WEIGHT = 1e6  # largest component of a control point: gauges near one, far from where squares overflow
-FARTHEST = 1e12  # m
-MOST_CONTROL, MOST_POINTS = 64, 200  # of a piece: degree 63, as far as easings and their paths get together
-HIGHEST_LIMITED = 2  # derivative of the origin's place that a limit may bound
-ControlPoint = Annotated[
-    list[Annotated[float, Field(ge=-WEIGHT, le=WEIGHT)]], Field(min_length=4, max_length=4)
-]
-
-
-Point = Annotated[list[Annotated[float, Field(ge=-FARTHEST, le=FARTHEST)]], Field(min_length=3, max_length=3)]
-
-
-class CurveDocument(Part):
-    """Duration [s], control points of Q over it, and with a translation those of P [m]."""
-
-    duration: Annotated[float, Field(ge=BRIEFEST, le=LONGEST)]
-    control: Annotated[list[ControlPoint], Field(min_length=2, max_length=MOST_CONTROL)]
-    points: Annotated[list[Point], Field(min_length=1, max_length=MOST_POINTS)] | None = None
-
-
-class RationalDocument(LegDocument):
-    """What a law file says of a rational segment."""
-
-    kind: Literal["rational"]
-    pieces: Annotated[list[CurveDocument], Field(min_length=1)]
-
-    @model_validator(mode="after")
-    def _all_travel(self) -> Self:
-        if len({piece.points is None for piece in self.pieces}) > 1:
-            raise ValueError("points belong to all pieces of a segment, or to none")
-        return self
-
-
-@cache
-def _quadrature() -> tuple[Array, Array]:
-    """Gauss-Legendre nodes and weights on [0, 1]: for means that judge jumps, and prove nothing."""
-    nodes, weights = np.polynomial.legendre.leggauss(QUADRATURE)
-    return (nodes + 1) / 2, weights / 2
 
 
 @dataclass(frozen=True)
@@ -135,50 +96,54 @@ class Rational(Moving):
         return
 
     def rates(self, order: int) -> list[Quotient]:
-        """The size of the k-th rate on each piece: √(X_k·X_k/(hD)^2k)."""
+        """The size of the k-th rate on each piece."""
+        found: dict[int, Quotient] = {}
+        for stack in stack_curves(self.pieces):
+            found.update(zip(stack.piece.tolist(), stack.form.measure_rate(order), strict=True))
+        return [found[k] for k in range(len(self.pieces))]
+
+    @classmethod
+    def list_edges(cls, segments: Sequence["Rational"]) -> list[Edges]:
+        """From the rates at the ends of pieces, and their mean sizes."""
+        pieces = [piece for s in segments for piece in s.pieces]
+        ends, sums = np.empty((len(RATES), len(pieces), 2, 3)), np.empty((len(RATES), len(pieces)))
+        for stack in stack_curves(pieces):
+            ends[:, stack.piece], sums[:, stack.piece] = stack.find_ends(), stack.sum_rates()
         found = []
-        for piece in self.pieces:
-            numerator = piece.form.numerators(order)[order]
-            found.append(Quotient(dot(numerator, numerator), piece.form.power(2 * order), 2))
+        for own in _number_pieces(segments):
+            jumps = ends[:, own][:, 1:, 0] - ends[:, own][:, :-1, 1]
+            sides = np.stack([ends[:, own.start, 0], ends[:, own.stop - 1, 1]], axis=1)
+            found.append(Edges(sides, jumps, np.array([fsum(terms) for terms in sums[:, own]])))
         return found
 
-    def side(self, order: int, end: int) -> Array:
-        """The k-th rate (3,) at the first (0) or last (-1) instant, from inside."""
-        return np.array(self.pieces[end](np.array([0.0 if end == 0 else 1.0]), order)[0])
+    @classmethod
+    def find_largest(cls, segments: Sequence["Rational"]) -> Array:
+        """Over the parts of all pieces where D is even."""
+        largest = np.zeros(len(RATES))
+        for stack in stack_curves([piece for s in segments for piece in s.pieces]):
+            form = stack.form.split()
+            for k, order in enumerate(RATES):
+                largest[k] = max(largest[k], Quotient.find_largest(form.measure_rate(order)))
+        return largest
 
-    def jumps(self, order: int) -> Array:
-        """Jumps (p-1, 3) of the k-th rate where pieces meet."""
-        ends = np.array([0.0, 1.0])
-        values = [piece(ends, order) for piece in self.pieces]
-        return np.array([b[0] - a[1] for a, b in pairwise(values)]).reshape(-1, 3)
+    @classmethod
+    def list_quantities(
+        cls, segments: Sequence["Rational"], limits: Sequence[Sequence[Limit]], total: Vector
+    ) -> list[list[Quantity]]:
+        """Every limit's own formula, on parts of pieces where D is even.
 
-    def sum_rate(self, order: int) -> float:
-        """∫ |k-th rate| dt, by quadrature on parts where D is even: no spike stands for all of its piece."""
-        nodes, weights = _quadrature()
-        terms = []
-        for piece in self.pieces:
-            for form in piece.forms:
-                width = form.end - form.start
-                sizes = np.linalg.norm(piece(form.start + width * nodes, order), axis=-1)
-                terms.append(piece.duration * width * float(weights @ sizes))
-        return fsum(terms)
-
-    def quantities(self, limits: Sequence[Limit], total: Vector) -> Iterator[Quantity]:
-        """Every limit's own formula in the numerators, over hD to the limit's power of time."""
-        highest = max((limit.highest for limit in limits), default=1)
-        breaks = zip(self.breaks[:-1], np.diff(self.breaks), strict=True)
-        for index, (piece, (first, width)) in enumerate(zip(self.pieces, breaks, strict=True)):
-            for form in piece.forms:
-                rates, seen = form.numerators(highest), form.turn_back(total)
-                if self.origins:
-                    moved = self.origins[index].numerators(form, HIGHEST_LIMITED)
-                    rates |= {LINEAR[order]: vector for order, vector in moved.items()}
-                start, end = (float(first + width * u) for u in (form.start, form.end))
-                for limit in limits:
-                    for formula in limit.of(rates, seen):
-                        row = FormulaRow(limit.name, formula, limit.unit, limit.highest)
-                        value = Quotient(formula.value, form.power(limit.depth * formula.root))
-                        yield Quantity(row, value, start, end)
+        Limits that differ in their bounds alone have the same numerators.
+        """
+        alike: dict[tuple[tuple[str, int], ...], list[int]] = defaultdict(list)
+        for k, own in enumerate(limits):
+            alike[tuple((limit.name, np.ndim(limit.bounds)) for limit in own)].append(k)
+        found: list[list[Quantity]] = [[] for _ in segments]
+        for forms, numbers in alike.items():
+            if forms:
+                bounded = _bound([segments[k] for k in numbers], [limits[k] for k in numbers], total)
+                for k, quantities in zip(numbers, bounded, strict=True):
+                    found[k] = quantities
+        return found
 
     def own_quantities(self) -> Iterator[Quantity]:
         """How far it leaves the arc of its leg, where that is limited."""
@@ -226,3 +191,31 @@ class Rational(Moving):
         )
         limits = read_bounds(s.limits)
         return cls(s.origin, s.target, s.start_time, s.duration, start, end, pieces, limits, origins)
+
+
+def _number_pieces(segments: Sequence[Rational]) -> list[slice]:
+    """Where the pieces of each segment are among those of all."""
+    bounds = np.cumsum([0, *(len(s.pieces) for s in segments)]).tolist()
+    return [slice(first, last) for first, last in pairwise(bounds)]
+
+
+def _bound(
+    segments: Sequence[Rational], limits: Sequence[Sequence[Limit]], total: Vector
+) -> list[list[Quantity]]:
+    """Quantities of segments whose limits differ in their bounds alone."""
+    pieces = [piece for s in segments for piece in s.pieces]
+    origins = [origin for s in segments for origin in s.origins]  # of all pieces, or of none
+    times = [pair for s in segments for pair in pairwise(s.breaks.tolist())]
+    rows = [own for s, own in zip(segments, map(list_formula_rows, limits), strict=True) for _ in s.pieces]
+    found: list[list[Quantity]] = [[] for _ in pieces]
+    for stack in stack_curves(pieces):
+        form = stack.form.split()
+        places = [origins[k] for k in stack.piece] if len(origins) == len(pieces) else []
+        moved = derive_origins(places, form) if places else {}
+        values = form.divide_formulas(limits[0], total, moved)
+        parts = zip(stack.piece[form.piece].tolist(), form.start.tolist(), form.end.tolist(), strict=True)
+        for (k, *ends), own in zip(parts, zip(*values, strict=True), strict=True):
+            first, last = times[k]
+            start, end = (first + (last - first) * u for u in ends)
+            found[k] += [Quantity(row, value, start, end) for row, value in zip(rows[k], own, strict=True)]
+    return [list(chain.from_iterable(found[own])) for own in _number_pieces(segments)]

@@ -1,5 +1,6 @@
 """What a segment of the motion answers for: each kind is a file of its own, listed in `kinds`."""
 
+from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar, Protocol, Self
@@ -26,6 +27,19 @@ class Quantity:
 
 
 @dataclass(frozen=True)
+class Edges:
+    """What of ω, α, jerk and snap of one segment says how they join, and by what a jump is judged.
+
+    `sides` (4, 2, 3) at its first and last instant, from inside; `jumps` (4, p-1, 3) at the breaks inside;
+    `sums` (4,) are ∫ |rate| dt over it, or a little more: of root mean squares where there are no spikes.
+    """
+
+    sides: Array
+    jumps: Array
+    sums: Array
+
+
+@dataclass(frozen=True)
 class Discrepancy:
     """How far a segment is from what it should be in one respect, and what is tolerated."""
 
@@ -40,7 +54,7 @@ class Segment(Protocol):
     Orientations are unit quaternions (4,), rates (3,) in body axes; `side` says from where a break is
     looked at, `end` is 0 for the first instant and -1 for the last. A segment that `moves` the
     body is a leg. `limits` hold on this segment besides those of the law; `own_limits` are keys that only
-    its kind knows.
+    its kind knows. What a proof needs of all segments it asks their kinds, which may answer for many at once.
     """
 
     kind: ClassVar[str]
@@ -115,24 +129,25 @@ class Segment(Protocol):
         """The unit axis (3,) it turns about there; None where it does not turn."""
         ...
 
-    def side(self, order: int, end: int) -> Array:
-        """The k-th rate (3,) at an end, from inside."""
-        ...
-
-    def jumps(self, order: int) -> Array:
-        """The jumps (p-1, 3) of the k-th rate at the breaks inside."""
-        ...
-
     def rates(self, order: int) -> Sequence[Function]:
         """On each piece a function whose size is that of the k-th rate."""
         ...
 
-    def sum_rate(self, order: int) -> float:
-        """∫ |k-th rate| dt over it, or a little more: that of root mean squares where there are no spikes."""
+    @classmethod
+    def list_edges(cls, segments: Sequence[Self]) -> list[Edges]:
+        """The edges of each of many segments of the kind."""
         ...
 
-    def quantities(self, limits: Sequence[Limit], total: Vector) -> Iterator[Quantity]:
-        """What limits bound on it, row by row, piece by piece; `total` is H (3,) in the world."""
+    @classmethod
+    def find_largest(cls, segments: Sequence[Self]) -> Array:
+        """The largest |ω|, |α|, |jerk|, |snap| (4,) in many segments of the kind."""
+        ...
+
+    @classmethod
+    def list_quantities(
+        cls, segments: Sequence[Self], limits: Sequence[Sequence[Limit]], total: Vector
+    ) -> list[list[Quantity]]:
+        """What each of many segments' limits bound on it, piece by piece; `total` is H (3,) in the world."""
         ...
 
     def own_quantities(self) -> Iterator[Quantity]:
@@ -167,3 +182,11 @@ class Segment(Protocol):
     def read(cls, document: Any) -> Self:
         """From what `document_model` has checked."""
         ...
+
+
+def group_by_kind(segments: Sequence[Segment]) -> Mapping[type[Segment], list[int]]:
+    """The numbers of the segments of each kind that is there."""
+    found: dict[type[Segment], list[int]] = defaultdict(list)
+    for number, segment in enumerate(segments):
+        found[type(segment)].append(number)
+    return found

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from timelaw.numerics.array import Array
 from timelaw.numerics.bernstein import UNIT_ROUNDOFF, halving_matrix
 from timelaw.numerics.extrema import FLOOR, GAP, MOST_PIECES, Peak
-from timelaw.numerics.polynomial import Polynomial
+from timelaw.numerics.polynomial import Polynomial, PolynomialStack
 
 DEPTH = 40  # halvings; by then a quotient of what doubles can tell apart is enclosed
 QUADRATURE = 24  # Gauss-Legendre nodes for mean squares, which judge nothing that is proved
@@ -65,6 +65,22 @@ class Quotient:
                 found[i] = _take_root(peak, functions[i].root)
         return [found[i] for i in range(len(functions))]
 
+    @classmethod
+    def find_largest(cls, functions: Sequence["Quotient"]) -> float:
+        """A value that the largest |f| of all takes; they are of one degree."""
+        if not all(function.num.finite and function.den.finite for function in functions):
+            return inf
+        peaks = _enclose([f.num for f in functions], [f.den for f in functions], together=True)
+        tops = zip(peaks, functions, strict=True)
+        return max(_take_root(peak, function.root).lower for peak, function in tops)
+
+
+def divide(num: PolynomialStack, den: PolynomialStack, root: int = 1) -> list[Quotient]:
+    """(num/den)^(1/root) row by row, all in one form."""
+    degree = max(num.degree, den.degree)
+    rows = zip(num.raised(degree).list_rows(), den.raised(degree).list_rows(), strict=True)
+    return [Quotient(one, two, root) for one, two in rows]
+
 
 def _take_root(peak: Peak, root: int) -> Peak:
     if root == 1:
@@ -73,8 +89,11 @@ def _take_root(peak: Peak, root: int) -> Peak:
     return Peak(peak.lower ** (1 / root) / above, peak.upper ** (1 / root) * above, peak.at)
 
 
-def _enclose(nums: Sequence[Polynomial], dens: Sequence[Polynomial]) -> list[Peak]:
-    """Branch and bound on all quotients at once; boxes that cannot hold the peak drop out."""
+def _enclose(nums: Sequence[Polynomial], dens: Sequence[Polynomial], *, together: bool = False) -> list[Peak]:
+    """Branch and bound on all quotients at once; boxes that cannot hold the peak drop out.
+
+    `together`: the peak of all; what is found of the others is not tight.
+    """
     count, degree = len(nums), nums[0].degree
     boxes = np.stack([[n.control, d.control] for n, d in zip(nums, dens, strict=True)])  # (m, 2, n+1)
     errors = np.array([[n.error, d.error] for n, d in zip(nums, dens, strict=True)])
@@ -83,9 +102,10 @@ def _enclose(nums: Sequence[Polynomial], dens: Sequence[Polynomial]) -> list[Pea
     rounding = 2 * (degree + 2) * UNIT_ROUNDOFF
     for depth in range(DEPTH + 1):
         _raise_lower(boxes, errors, owner, (start, start + width), lower, at)
+        reached = np.full(len(owner), np.max(lower)) if together else lower[owner]
         hull, plain, loss = _bound(boxes, errors)
         # where rounding is more than halving could still gain, a box is done
-        open_ = plain > np.maximum(lower[owner] * (1 + GAP), FLOOR) + loss
+        open_ = plain > np.maximum(reached * (1 + GAP), FLOOR) + loss
         # where the denominator is lost in rounding at a point there is no bound, however often it is halved
         lost = np.any(boxes[:, 1, [0, -1]] <= errors[:, 1, None], axis=1)
         open_ &= ~np.isin(owner, owner[lost])

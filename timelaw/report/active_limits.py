@@ -27,8 +27,8 @@ def trace_parts(
 ) -> dict[str, tuple[Array, Array]]:
     """By label the times [s] and the part of a limit, say the torque, that is used at them."""
     curves: dict[str, tuple[list[Array], list[Array]]] = {}
-    for segment in segments:
-        for label, quantity in law.quantities(segment):
+    for segment, labelled in zip(segments, law.list_quantities(segments), strict=True):
+        for label, quantity in labelled:
             row, value = quantity.row, quantity.value
             if row.limit != limit or label != row.label:
                 continue  # another limit, or one of that segment alone

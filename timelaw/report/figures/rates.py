@@ -85,8 +85,8 @@ def _limit(ax: Any, design: Drawn, order: int) -> None:
     law = design.optimised.law
     arcs = [s for s in list_first_legs(law) if s.moves]
     bounds = [
-        min((quantity.row.rate_bound(order) for _, quantity in law.quantities(arc)), default=inf)
-        for arc in arcs
+        min((quantity.row.rate_bound(order) for _, quantity in labelled), default=inf)
+        for labelled in law.list_quantities(arcs)
     ]
     if len(set(bounds)) == 1 and bounds[0] < inf:
         ax.axhline(np.degrees(bounds[0]), label="limit", **style)

@@ -14,13 +14,13 @@ def _context(facts: Facts) -> dict[str, Any]:
     law = design.optimised.law
     active = list_active(design.optimised.certificate)
     rows = []
-    for index, segment in enumerate(law.segments):
+    for index, (segment, edges) in enumerate(zip(law.segments, law.edges, strict=True)):
         if not segment.moves:
             continue
         parts = list(segment.list_deviations())
         tops = enclose_peaks([part.value for part in parts])
         angle = max((part.row.size(top.upper) for part, top in zip(parts, tops, strict=True)), default=0.0)
-        speed = float(np.linalg.norm(segment.side(1, -1)))
+        speed = float(np.linalg.norm(edges.sides[0, -1]))
         rows.append((segment, angle, speed, active[index]))
     return {"rows": rows, "passages": design.through.passages if design.through else ()}
 
