@@ -22,7 +22,7 @@ from timelaw.easing.polynomial_basis import PolynomialBasis
 from timelaw.errors import Fault, InfeasibleError, InputError
 from timelaw.limits import Bounds, make_limits
 from timelaw.motion import QuaternionLaw
-from timelaw.motion.rational import MOST_CONTROL, MOST_POINTS
+from timelaw.motion.rational_document import MOST_CONTROL, MOST_POINTS
 from timelaw.numerics.array import Array
 from timelaw.numerics.quaternion import rotation_matrix
 from timelaw.numerics.threads import on_one_thread
