@@ -7,7 +7,7 @@ from timelaw.easing.family import Family
 from timelaw.errors import Fault, InfeasibleError
 from timelaw.motion import QuaternionLaw
 from timelaw.nlp import Timings, optimise
-from timelaw.nlp.solution import sum_durations
+from timelaw.nlp.solution import Solution, Status, sum_durations
 from timelaw.problem import Problem
 from timelaw.problem.objective import TotalTime
 from timelaw.progress import Progress
@@ -17,6 +17,7 @@ from timelaw.route import Route
 from timelaw.through.given_route import is_given, resolve_given
 from timelaw.through.passage import Through, find_passages
 from timelaw.through.stopping import list_stopping, relax
+from timelaw.time_law.baselines import time_double_s
 
 
 @dataclass(frozen=True)
@@ -74,8 +75,14 @@ def _pass_given(
 def _stop(
     problem: Problem, route: Route, requirements: Requirements, progress: Progress | None = None
 ) -> tuple[Family, Timings]:
-    """The fastest law that stops."""
-    found = [optimise(asked, route, requirements, progress) for asked in list_stopping(problem, requirements)]
+    """The fastest law that stops: where it may be the double-S, at corners or at every node."""
+    asked = list_stopping(problem, requirements)
+    found = [optimise(one, route, requirements, progress) for one in asked]
+    family, _ = found[0]
+    if family.rigid and "easing" not in problem.model_fields_set:
+        every = time_double_s(route, requirements, stop=True).timings
+        runs = len(requirements.runs(route))
+        found.append((family, Timings(every, (Solution(every, Status.CHOSEN),), (0,) * runs)))
     return min(found, key=lambda one: sum_durations(one[1].timings))
 
 

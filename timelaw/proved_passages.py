@@ -4,10 +4,11 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from timelaw.certificate import Certificate, certify
+from timelaw.certificate.limit_check import LegPeak
 from timelaw.compose import compose_law, compose_through
 from timelaw.easing import Timing
 from timelaw.errors import Fault, InfeasibleError
-from timelaw.limits import make_limits
+from timelaw.limits import LIMITS, make_limits
 from timelaw.motion import QuaternionLaw
 from timelaw.motion.deviation import DEVIATION
 from timelaw.problem import Problem
@@ -20,7 +21,7 @@ from timelaw.through.passage import Passage, Through
 from timelaw.time_law import TimeLaw
 from timelaw.time_law.time_law import OPTIMISED_LAW
 
-ROUNDS = 4  # of stretching; one is enough but where a total momentum makes a limit not homogeneous
+ROUNDS = 8  # of stretching; one is enough but where a total momentum makes a limit not homogeneous
 MARGINS = (MARGIN, 10 * MARGIN)  # of the limits, by which the search keeps from them
 ASIDE = 1e-12  # of the time: how far a law keeps from its limits
 
@@ -74,11 +75,27 @@ def find_factors(
         if peak.row.limit == DEVIATION:
             broken[passage] |= peak.used > 1
         else:
-            used[passage] = max(used[passage], peak.used ** (1 / powers[peak.row.limit]))
+            used[passage] = max(used[passage], _find_factor(peak, law, powers[peak.row.limit]))
     return [
         1.0 if passage.curve is None else None if lost else part * (1 + ASIDE)
         for passage, part, lost in zip(passages, used, broken, strict=True)
     ]
+
+
+def _find_factor(peak: LegPeak, law: QuaternionLaw, power: int) -> float:
+    """By how much slower one limit on one leg asks it to be, or lets it be faster.
+
+    With a total momentum H: |H - Jω/c| ≤ |H| + (|H - Jω| - |H|)/c, and of a torque only the part that falls
+    with 1/c is counted on; nothing is made faster.
+    """
+    total = law.body.total_momentum if law.body is not None else 0.0
+    if not (total and LIMITS[peak.row.limit].needs_inertia):
+        return float(peak.used ** (1 / power))
+    if peak.used <= 1:
+        return 1.0 - 2 * ASIDE
+    if power > 1 or peak.bound <= total:
+        return peak.used
+    return (peak.upper - total) / (peak.bound - total)
 
 
 def _list_limits(law: QuaternionLaw) -> dict[str, float]:

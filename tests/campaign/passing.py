@@ -9,7 +9,7 @@ from tests.campaign.evidence import Evidence
 from tests.campaign.spec import Spec, number
 
 GRID = 401  # points of an arc, to the nearest of which the body's angle is measured
-BESIDE = 1e-4  # rad, that such a grid makes an angle too large at most, of a right angle
+BESIDE = 1e-6  # rad
 SLOWER = 1e-9  # relative
 
 
@@ -42,7 +42,8 @@ def arcs_are_near(e: Evidence) -> Iterator[str]:
         signs = (1, -1) if abs(start @ end) < 1e-9 else (1 if start @ end >= 0 else -1,)  # of half-turns both
         there = np.asarray(e.law(np.linspace(left, arrived, 65)))
         nearest = min(_measure_way(there, start, sign * end) for sign in signs)
-        if not nearest <= bound + BESIDE:
+        aside = leg.angle / (GRID - 1) / 2  # at most, along the arc, to the nearest of its points
+        if not nearest <= np.hypot(bound, aside) + BESIDE:
             yield f"leg {leg.origin}-{leg.target}: {nearest:.6g} rad from its arc, {bound:.6g} are allowed"
 
 
