@@ -35,9 +35,8 @@ def solve_given(problem: RunProblem) -> Solution:
     known = min(list_known(problem), key=lambda solution: solution.duration, default=None)
     if known is not None and known.status is Status.STEADY and is_least(problem, known):
         return known
-    needed = check_ends(problem)
+    stays = check_ends(problem)
     starts = _list_starts(problem) + ([(Status.SECOND_START, known.timings)] if known else [])
-    stays = needed <= problem.run.angle
     solved = _solve_from_all(program, starts, known) if stays else []
     if stays and not solved and known is None:
         solved = _solve_from_least(problem, program)
