@@ -40,6 +40,7 @@ def solve_from(
     start: Sequence[Timing],
     failures: list[Verdict] | None = None,
     enough: float = inf,
+    most_rounds: int | None = None,
 ) -> Solution | None:
     """Solve a program from given timings; None where the solver fails before it has any solution.
 
@@ -52,7 +53,7 @@ def solve_from(
         return None
     alike = merge_alike(program)
     kept = [] if failures is None else failures
-    solution = _exchange(alike.program, alike.pick(start), kept, enough)
+    solution = _exchange(alike.program, alike.pick(start), kept, enough, most_rounds)
     if solution is not None:
         solution = _rescale(alike.program, alike.pick(start), solution, kept)
     return None if solution is None else replace(solution, timings=alike.spread(solution.timings))
@@ -74,7 +75,7 @@ def _rescale(
         reached = objective.scale(legs, program.repeat(solution.timings))
         if not 0 < reached < FALLEN * size or is_late():
             break
-        better = _exchange(program, solution.timings, failures, inf)
+        better = _exchange(program, solution.timings, failures)
         if better is None or objective.scale(legs, program.repeat(better.timings)) > reached:
             break
         size, solution = reached, better
@@ -82,7 +83,11 @@ def _rescale(
 
 
 def _exchange(
-    program: Program, start: Sequence[Timing], failures: list[Verdict], enough: float
+    program: Program,
+    start: Sequence[Timing],
+    failures: list[Verdict],
+    enough: float = inf,
+    most_rounds: int | None = None,
 ) -> Solution | None:
     """Solve, demand the limits where they are broken, and solve again."""
     units = np.array([timing.duration for timing in start])
@@ -92,7 +97,7 @@ def _exchange(
     iterations = 0
     of = timings if program.objective.scales_limits else start
     scale = program.objective.scale(program.repeat(program.demands), program.repeat(of))
-    for rounds in range(1, ROUNDS + 1):
+    for rounds in range(1, (most_rounds or ROUNDS) + 1):
         rooms = list_rooms(program, points)
         transcription = transcribe(program, points, rooms, stay, units, scale)
         first = _start(program, timings, units, scale)
