@@ -152,7 +152,7 @@ def _find_hardest(program: Program, start: Sequence[Timing], given: Sequence[Dea
     for count, deadline in enumerate(given[:-1], 1):
         budgets = tuple(known.budget for known in given[:count])
         part = replace(program, budgets=budgets, beyond=inf)
-        peak = find_least_peak(part, [start])
+        peak = find_least_peak(part, [start], enough=1 + SHOWN)
         if peak is None or not holds_limits(part, peak):
             return deadline.where
     return given[-1].where if given else ""

@@ -47,7 +47,8 @@ def solve_from(
     A law that no stretch of time brings within the limits counts as a failure of the solver. Alike runs
     are solved as one. Verdicts of a solver that failed are added to `failures`. Where the time is over, the
     solution is what there was by then, if that is anything. As soon as the limits at the points alone take
-    more time than `enough` [s], what is known is returned: no point that is added makes a law faster.
+    more time than `enough` [s], or where that is made least more than `enough` of the limits, what is known
+    is returned: no point that is added makes a law faster, or gentler.
     """
     if is_late():
         return None
@@ -139,8 +140,10 @@ def _exchange(
 
 
 def _is_hopeless(program: Program, found: Sequence[Timing], gap: float, used: float, enough: float) -> bool:
-    """Whether more points lead nowhere: to a law too slow, or to limits that are known to be broken."""
+    """Whether more points lead nowhere: to a law too slow or rash, or to limits known to be broken."""
     if program.elastic and sum_durations(found) > enough:
+        return True
+    if program.objective.scales_limits and used > enough:
         return True
     return program.large and gap <= COARSE < used - 1
 

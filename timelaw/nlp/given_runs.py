@@ -143,7 +143,8 @@ def _solve_from_peak(
     """The best law from there that holds the limits; else None, and in `factors` the part of them it uses."""
     from timelaw.nlp.exchange import solve_from
 
-    least = find_least_peak(program, starts, failures)
+    enough = inf if program.large else 1 + SHOWN  # of a large program the factor is not looked for again
+    least = find_least_peak(program, starts, failures, enough)
     if least is None or is_late():
         return None
     used = used_fraction(program.demands, least.timings)

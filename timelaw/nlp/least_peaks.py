@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
+from math import inf
 
 from timelaw.easing import Timing
 from timelaw.easing.time_scaling import used_fraction
@@ -15,24 +16,30 @@ SURE = 2  # starts of a moving run that have to agree with one before; of one fr
 
 
 def find_least_peak(
-    program: Program, starts: Sequence[Sequence[Timing]], failures: list[Verdict] | None = None
+    program: Program,
+    starts: Sequence[Sequence[Timing]],
+    failures: list[Verdict] | None = None,
+    enough: float = inf,
 ) -> Solution | None:
     """The law that uses the least part of the limits, of all starts; None where the solver finds none.
 
     From each try first with the limits at some points. What is used there only grows as points are added:
-    the most promising law is gone on with, and after it those that promised less than it came to.
+    the most promising law is gone on with, and after it those that promised less than it came to. Once it is
+    clear that more than `enough` is used no better law is looked for.
     """
     from timelaw.nlp.exchange import solve_from
 
     peaks = replace(program, objective=LEAST_PEAK, weight=None)
     tries = _list_tries(peaks, starts)
     if len(tries) == 1:
-        return solve_from(peaks, tries[0], failures)
+        return solve_from(peaks, tries[0], failures, enough)
     best: tuple[float, Solution] | None = None
     for promised, start, begun in _begin(peaks, tries, failures):
         if best is not None and (promised >= best[0] or best[0] <= 1):
             break
-        found = solve_from(peaks, start, failures) or begun
+        if promised > enough:
+            return begun if best is None else best[1]
+        found = solve_from(peaks, start, failures, enough) or begun
         used = used_fraction(program.demands, found.timings)
         if best is None or used < best[0]:
             best = used, found
