@@ -51,7 +51,7 @@ def test_what_was_answered_wrongly_once_is_right(path):
 @pytest.mark.campaign
 @pytest.mark.parametrize("path", LONG_REGRESSIONS, ids=lambda path: path.stem)
 def test_what_took_too_long_once_is_right(path):
-    """Each takes five seconds to a minute."""
+    """Each takes five seconds to a minute and a half."""
     result = judge(path.read_text())
     assert not result.failed, "\n".join([result.verdict, *result.findings, result.message])
 

@@ -17,7 +17,6 @@ from timelaw.easing.polynomial_basis import PolynomialBasis
 from timelaw.easing.profile import Piece
 from timelaw.easing.spline_basis import SplineBasis
 from timelaw.easing.spline_rates import expand_spline
-from timelaw.least_time.braking import braking_distance
 from timelaw.least_time.double_s import double_s_time
 
 DEG = np.pi / 180
@@ -222,16 +221,3 @@ def test_the_profile_is_within_its_limits_and_no_slower_than_rounding():
     )
     timings = fit_double_s(legs)
     assert sum(t.duration for t in timings) == pytest.approx(0.8110100926, rel=1e-9)
-
-
-# Braking
-
-
-def test_braking_takes_what_constant_deceleration_and_constant_jerk_take():
-    assert braking_distance(2.0, 0.0, 4.0, inf) == 0.5
-    assert braking_distance(1.0, 2.0, 4.0, inf) == pytest.approx(3 / 8)
-    assert braking_distance(2.0, 1.0, inf, 3.0) == 0.0
-    t = np.linspace(0, (2 * 2.0 / 3.0) ** 0.5, 100001)
-    assert braking_distance(2.0, 0.0, inf, 3.0) == pytest.approx(
-        np.trapezoid(2.0 - 3.0 * t**2 / 2, t), rel=1e-9
-    )

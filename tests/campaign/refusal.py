@@ -6,7 +6,7 @@ from math import inf
 
 import numpy as np
 
-from tests.campaign import least, leg_program
+from tests.campaign import braking, least, leg_program
 from tests.campaign.deadlines import Findings, judge_times
 from tests.campaign.leg_oracle import has_program, leg_factor, linear, physical_factor
 from tests.campaign.legs import Leg, loosest, runs
@@ -26,6 +26,7 @@ SAME = 1e-3  # of a factor
 ON_TIME = 2e-5  # of an earliest time
 SAME_ORIENTATION = 1e-6
 AXIS = 20  # times the precision over the angle: what an axis component, and a limit on it, may be off
+JERK_COUNTS = 2  # continuity from which on the acceleration does not jump
 RICH = 1.05  # what a spline of another division may make of a factor
 
 
@@ -180,17 +181,17 @@ def _judge_reached(ends, end: str, top: float) -> tuple[str, str]:
 
 
 def _judge_braking(ends, needed: float, angle: float) -> tuple[str, str]:
-    """Of a motion that is said to be too fast for its run: by constant deceleration, or constant jerk to rest."""
+    """Of a motion that is said to be too fast for its run: by the ways to change speed, and to come to rest."""
     for run, start, end in ends:
         _, a, j = loosest(run)[:3]
+        j = inf if any((*start[1:], *end[1:])) or len(start) < JERK_COUNTS else j
         fast, slow = max(start[0], end[0]), min(start[0], end[0])
-        least = [(fast**2 - slow**2) / (2 * a)]
-        if not slow and not any((*start[1:], *end[1:])):
-            time = (2 * fast / j) ** 0.5  # in which a jerk from no acceleration on takes all the speed
-            least.append(fast * time - j * time**3 / 6)
+        onwards, stopping = braking.least_change(fast, slow, a, j), braking.least_stop(fast, a, j)
         own = sum(leg.angle for leg in run)
-        if abs(np.degrees(own) / angle - 1) < SAME and abs(np.degrees(max(least)) / needed - 1) < SAME:
-            return (CONFIRMED, "") if max(least) > own + np.pi else (WRONG, "the run is long enough")
+        said = onwards if slow else stopping
+        if abs(np.degrees(own) / angle - 1) < SAME and abs(np.degrees(said) / needed - 1) < SAME:
+            impossible = onwards > own and stopping > own + np.pi
+            return (CONFIRMED, "") if impossible else (WRONG, "the run is long enough")
     return WRONG, "no run has that angle, or needs that much"
 
 

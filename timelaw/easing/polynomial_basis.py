@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from timelaw.easing.joining import join_pieces
 from timelaw.easing.profile import Profile
 from timelaw.numerics.array import Array
-from timelaw.numerics.bernstein import basis_matrix, differentiate, elevate, hermite_matrix, split
+from timelaw.numerics.bernstein import basis_matrix, differentiate, hermite_matrix, split
 
 CONDITIONED_ORDER = 3  # the highest derivative that is limited depends most wildly on control points
 GRID = 8  # points per degree on which extrema are looked for
@@ -49,7 +49,7 @@ class PolynomialBasis:
         third derivative; with M made orthonormal there, the solver needs far fewer iterations.
         """
         inner = np.zeros((self.degree + 1, self.free))
-        inner[self._inner] = np.linalg.inv(self._triangle)
+        inner[self._inner] = np.linalg.inv(self._effect[1]) * SIZE
         return inner
 
     @property
@@ -57,10 +57,11 @@ class PolynomialBasis:
         return slice(self.continuity + 1, self.degree - self.continuity)
 
     @cached_property
-    def _triangle(self) -> Array:
-        """Upper triangle that takes inner control points to the solver's variables."""
+    def _effect(self) -> tuple[Array, Array]:
+        """Of inner control points on the third derivative at its points: Q R, Q with orthonormal columns."""
         effect = self.values(self.points([CONDITIONED_ORDER]), CONDITIONED_ORDER)[:, self._inner]
-        return np.array(np.linalg.qr(effect)[1] / SIZE)
+        orthonormal, triangle = np.linalg.qr(effect)
+        return orthonormal, triangle
 
     @cached_property
     def from_right(self) -> Array:
@@ -74,7 +75,8 @@ class PolynomialBasis:
 
     def easing(self, left: Array, free: Array, right: Array) -> Profile:
         """The easing with the coefficients x and exactly the derivatives g(0) and g(1) (r+1,) at its ends."""
-        control = self.from_left @ left + self.from_free @ free + self.from_right @ right
+        control = self.from_left @ left + self.from_right @ right
+        control[self._inner] += np.linalg.solve(self._effect[1], SIZE * free)  # loses less than its inverse
         pieces = [differentiate(control, self.continuity + 1)]
         while True:
             width = 1 / len(pieces)
@@ -106,14 +108,14 @@ class PolynomialBasis:
         return (nodes + 1) / 2, weights / 2
 
     def free_of(self, easing: Profile) -> Array:
-        """The solver's variables x of a polynomial easing of at most this degree."""
+        """The solver's variables x of a polynomial easing of at most this degree, in however many pieces.
+
+        They are read off the third derivative, in which they are independent: what the ends leave of it.
+        """
         left, right = ([float(easing(end, i)) for i in range(self.continuity + 1)] for end in (0.0, 1.0))
-        rest = (
-            elevate(easing.derivative(0)[0].control, self.degree)
-            - self.from_left @ left
-            - self.from_right @ right
-        )
-        return np.array(self._triangle @ rest[self._inner])
+        tau = self.points([CONDITIONED_ORDER])
+        fixed = self.values(tau, CONDITIONED_ORDER) @ (self.from_left @ left + self.from_right @ right)
+        return np.array(self._effect[0].T @ (easing(tau, CONDITIONED_ORDER) - fixed) / SIZE)
 
 
 def _is_well_rounded(easing: Profile, continuity: int) -> bool:

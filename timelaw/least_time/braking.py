@@ -3,18 +3,39 @@
 from collections.abc import Iterator, Sequence
 from math import inf, sqrt
 
+import numpy as np
 
-def braking_distance(start: float, end: float, a: float, j: float) -> float:
-    """An angle [rad] within which no motion gets from one speed [rad/s] to another; inf for no bound.
+from timelaw.numerics.array import Array
 
-    Under an acceleration limit (v₀² - v₁²)/2a. Under a jerk limit, entered without acceleration, v is at
-    least v₀ - j t²/2, so that to rest it takes ⅔ v₀ √(2 v₀/j). Whichever of both ends is the faster counts.
+DIPS = 4096  # speeds to which a motion may slow on its way; steps between them make the angle a little less
+
+
+def stopping_distance(speed: float, a: float, j: float) -> float:
+    """An angle [rad] within which no motion gets to rest from a speed [rad/s], or the other way.
+
+    Under an acceleration limit (inf for none) v²/2a. Under a jerk limit, entered without acceleration, the
+    speed is at least v - j t²/2, so that it takes ⅔ v √(2 v/j).
     """
-    fast, slow = max(start, end), min(start, end)
-    needed = (fast * fast - slow * slow) / (2 * a) if a < inf else 0.0
-    if j < inf and slow == 0:
-        needed = max(needed, 2 * fast * sqrt(2 * fast / j) / 3)
-    return needed
+    needed = speed * speed / (2 * a) if a < inf else 0.0
+    return max(needed, 2 * speed * sqrt(2 * speed / j) / 3) if j < inf else needed
+
+
+def changing_distance(start: float, end: float, a: float, j: float) -> float:
+    """An angle [rad] within which no motion that never turns back gets from one speed [rad/s] to another.
+
+    Between a speed v and the least one u on the way, both without acceleration under a jerk limit, it takes
+    (v + u) t/2, with t = x/a + a/j or 2 √(x/j) the time of a ramp by x = v - u. The least of all u counts,
+    each taken for a little faster or slower as makes it less.
+    """
+    dips = np.linspace(0.0, min(start, end), DIPS + 1)
+    return float(np.min(sum((v + dips[:-1]) * _ramp(v - dips[1:], a, j) / 2 for v in (start, end))))
+
+
+def _ramp(change: Array, a: float, j: float) -> Array:
+    """The least time for a change of speed, levelled off at both ends where the jerk is limited."""
+    if j == inf:
+        return change / a
+    return np.where(change * j < a * a, 2 * np.sqrt(change / j), change / a + (a / j if a < inf else 0.0))
 
 
 def list_reached(

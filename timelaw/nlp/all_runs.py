@@ -10,11 +10,10 @@ from timelaw.errors import Fault, InfeasibleError
 from timelaw.nlp.given_runs import (
     SHOWN,
     TIME_OVER,
-    find_least_peak,
-    holds_limits,
     solve_from_peak,
 )
 from timelaw.nlp.known_laws import stop_at_nodes
+from timelaw.nlp.least_peaks import find_least_peak, holds_limits
 from timelaw.nlp.program import Program, RunProblem
 from timelaw.nlp.solution import Solution, Status, sum_durations
 from timelaw.nlp.verdicts import Verdict
@@ -153,7 +152,7 @@ def _find_hardest(program: Program, start: Sequence[Timing], given: Sequence[Dea
     for count, deadline in enumerate(given[:-1], 1):
         budgets = tuple(known.budget for known in given[:count])
         part = replace(program, budgets=budgets, beyond=inf)
-        peak = find_least_peak(part, [start])
+        peak = find_least_peak(part, [start], enough=1 + SHOWN)
         if peak is None or not holds_limits(part, peak):
             return deadline.where
     return given[-1].where if given else ""
@@ -181,12 +180,30 @@ def stretch_to(
         waiting += needed
         if deadline.budget.legs in boundaries:
             if deadline.budget.time - since < waiting * (1 - LAST_DIGIT):
-                raise InfeasibleError(_too_early(deadline, since + waiting + deadline.dwells))
+                begun = (*timings, *least[legs])
+                earliest = _find_earliest(runs, begun, [known.budget for known in given])
+                raise InfeasibleError(_too_early(deadline, (earliest or since + waiting) + deadline.dwells))
             since, waiting = deadline.budget.time, 0.0
         factor = max(find_stretch(left, needed), LEAST_FACTOR)
         timings += [timing.stretched(factor) for timing in least[legs]]
         passed = deadline.budget.time
     return (*timings, *least[len(timings) :])
+
+
+def _find_earliest(
+    runs: Sequence[RunProblem], begun: Sequence[Timing], budgets: Sequence[Budget]
+) -> float | None:
+    """How soon the legs begun can be done if the times given before are kept; None where the solver fails.
+
+    A time that is given inside a run keeps it from being as early at its end as it could.
+    """
+    from timelaw.nlp.exchange import solve_from
+
+    ends = list(accumulate(len(run.demands) for run in runs))
+    part = tuple(runs[: ends.index(len(begun)) + 1])
+    program = Program(part, budgets=tuple(budget for budget in budgets if budget.legs < len(begun)))
+    found = solve_from(program, begun)
+    return found.duration if found is not None and holds_limits(program, found) else None
 
 
 def _too_early(deadline: Deadline, earliest: float) -> Fault:

@@ -40,19 +40,21 @@ def solve_from(
     start: Sequence[Timing],
     failures: list[Verdict] | None = None,
     enough: float = inf,
+    most_rounds: int | None = None,
 ) -> Solution | None:
     """Solve a program from given timings; None where the solver fails before it has any solution.
 
     A law that no stretch of time brings within the limits counts as a failure of the solver. Alike runs
     are solved as one. Verdicts of a solver that failed are added to `failures`. Where the time is over, the
     solution is what there was by then, if that is anything. As soon as the limits at the points alone take
-    more time than `enough` [s], what is known is returned: no point that is added makes a law faster.
+    more time than `enough` [s], or where that is made least more than `enough` of the limits, what is known
+    is returned: no point that is added makes a law faster, or gentler.
     """
     if is_late():
         return None
     alike = merge_alike(program)
     kept = [] if failures is None else failures
-    solution = _exchange(alike.program, alike.pick(start), kept, enough)
+    solution = _exchange(alike.program, alike.pick(start), kept, enough, most_rounds)
     if solution is not None:
         solution = _rescale(alike.program, alike.pick(start), solution, kept)
     return None if solution is None else replace(solution, timings=alike.spread(solution.timings))
@@ -74,7 +76,7 @@ def _rescale(
         reached = objective.scale(legs, program.repeat(solution.timings))
         if not 0 < reached < FALLEN * size or is_late():
             break
-        better = _exchange(program, solution.timings, failures, inf)
+        better = _exchange(program, solution.timings, failures)
         if better is None or objective.scale(legs, program.repeat(better.timings)) > reached:
             break
         size, solution = reached, better
@@ -82,7 +84,11 @@ def _rescale(
 
 
 def _exchange(
-    program: Program, start: Sequence[Timing], failures: list[Verdict], enough: float
+    program: Program,
+    start: Sequence[Timing],
+    failures: list[Verdict],
+    enough: float = inf,
+    most_rounds: int | None = None,
 ) -> Solution | None:
     """Solve, demand the limits where they are broken, and solve again."""
     units = np.array([timing.duration for timing in start])
@@ -92,7 +98,7 @@ def _exchange(
     iterations = 0
     of = timings if program.objective.scales_limits else start
     scale = program.objective.scale(program.repeat(program.demands), program.repeat(of))
-    for rounds in range(1, ROUNDS + 1):
+    for rounds in range(1, (most_rounds or ROUNDS) + 1):
         rooms = list_rooms(program, points)
         transcription = transcribe(program, points, rooms, stay, units, scale)
         first = _start(program, timings, units, scale)
@@ -134,8 +140,10 @@ def _exchange(
 
 
 def _is_hopeless(program: Program, found: Sequence[Timing], gap: float, used: float, enough: float) -> bool:
-    """Whether more points lead nowhere: to a law too slow, or to limits that are known to be broken."""
+    """Whether more points lead nowhere: to a law too slow or rash, or to limits known to be broken."""
     if program.elastic and sum_durations(found) > enough:
+        return True
+    if program.objective.scales_limits and used > enough:
         return True
     return program.large and gap <= COARSE < used - 1
 

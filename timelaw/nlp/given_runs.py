@@ -11,15 +11,14 @@ from timelaw.errors import Fault, InfeasibleError
 from timelaw.nlp.elastic_runs import SAME_TIME, list_starts
 from timelaw.nlp.end_checks import check_ends
 from timelaw.nlp.known_laws import is_least, list_known, stop_in_time
-from timelaw.nlp.program import FARTHEST, LEAST_PEAK, Program, RunProblem
+from timelaw.nlp.least_peaks import find_least_peak, holds_limits
+from timelaw.nlp.program import FARTHEST, Program, RunProblem
 from timelaw.nlp.solution import Solution, Status, sum_durations
 from timelaw.nlp.verdicts import Verdict
 from timelaw.time_limit import is_late
 
-PACES = (1.0, 0.5, 2.0)  # of a start: a moving run may take less or more time than one from rest to rest
 LEAST_MARGIN = 1e-8  # of the limits, where a greater one leaves no room
 TIME_OVER = "the time limit ended the search before any law was found; give more with --time-limit"
-AGREE = 1e-5  # relative; two starts that lead as near to each other lead to one law
 SHOWN = 1e-5  # relative; a factor nearer to one is written with more digits
 
 
@@ -35,9 +34,11 @@ def solve_given(problem: RunProblem) -> Solution:
     known = min(list_known(problem), key=lambda solution: solution.duration, default=None)
     if known is not None and known.status is Status.STEADY and is_least(problem, known):
         return known
-    needed = check_ends(problem)
-    starts = _list_starts(problem) + ([(Status.SECOND_START, known.timings)] if known else [])
-    stays = needed <= problem.run.angle
+    stays = check_ends(problem)
+    starts = _list_starts(problem)
+    if known:
+        place = 0 if program.large else len(starts)
+        starts.insert(place, (Status.SECOND_START, known.timings))
     solved = _solve_from_all(program, starts, known) if stays else []
     if stays and not solved and known is None:
         solved = _solve_from_least(problem, program)
@@ -50,10 +51,12 @@ def solve_given(problem: RunProblem) -> Solution:
 
 
 def _list_starts(problem: RunProblem) -> list[tuple[Status, Sequence[Timing]]]:
-    """Where the solver begins: as from rest to rest, and moving in the time of the mean speed."""
+    """Where the solver begins: as from rest to rest, and faster where the mean speed of the ends is."""
     starts = list(list_starts(problem))
-    if problem.run.moving:
-        starts.append((Status.SECOND_START, _pace(problem, starts[0][1])))
+    first, mean = starts[0][1], sum(problem.run.speeds) / 2
+    if mean * sum_durations(first) > problem.run.angle:
+        factor = problem.run.angle / mean / sum_durations(first)
+        starts.append((Status.SECOND_START, [timing.stretched(factor) for timing in first]))
     return starts
 
 
@@ -101,14 +104,6 @@ def _solve_from_least(problem: RunProblem, program: Program) -> list[Solution]:
     return solved
 
 
-def _pace(problem: RunProblem, start: Sequence[Timing]) -> tuple[Timing, ...]:
-    """A start in the time that the run takes at the mean speed of its ends, or as it is if that is longer."""
-    mean = sum(problem.run.speeds) / 2
-    angle, time = problem.run.angle, sum_durations(start)
-    factor = min(angle / mean / time, 1.0) if mean else 1.0
-    return tuple(timing.stretched(factor) for timing in start)
-
-
 def solve_from_peak(
     program: Program,
     starts: Sequence[Sequence[Timing]],
@@ -148,7 +143,8 @@ def _solve_from_peak(
     """The best law from there that holds the limits; else None, and in `factors` the part of them it uses."""
     from timelaw.nlp.exchange import solve_from
 
-    least = find_least_peak(program, starts, failures)
+    enough = inf if program.large else 1 + SHOWN  # of a large program the factor is not looked for again
+    least = find_least_peak(program, starts, failures, enough)
     if least is None or is_late():
         return None
     used = used_fraction(program.demands, least.timings)
@@ -187,40 +183,9 @@ def _explain(
     return Fault(message, where)
 
 
-def find_least_peak(
-    program: Program, starts: Sequence[Sequence[Timing]], failures: list[Verdict] | None = None
-) -> Solution | None:
-    """The law that uses the least part of the limits, of all starts; None where the solver finds none.
-
-    Where times are open, at several paces, until two starts from rest agree; a large program from one start.
-    """
-    from timelaw.nlp.exchange import solve_from
-
-    peaks = replace(program, objective=LEAST_PEAK, weight=None)
-    best: tuple[float, Solution] | None = None
-    open_times = not program.budgets and any(demand.duration is None for demand in program.demands)
-    for pace in PACES if open_times and not program.large else PACES[:1]:
-        for start in starts[:1] if program.large else starts:
-            solution = solve_from(peaks, [timing.stretched(pace) for timing in start], failures)
-            if solution is None:
-                continue
-            used = used_fraction(program.demands, solution.timings)
-            agree = not program.moving and best is not None and abs(used / best[0] - 1) < AGREE
-            if best is None or used < best[0]:
-                best = used, solution
-            if used <= 1 or agree:
-                return best[1]
-    return None if best is None else best[1]
-
-
 def _name_given(program: Program) -> str:
     """What leaves the limits no room."""
     if program.budgets:
         return "within the given times"
     fixed = any(demand.duration is not None for demand in program.demands)
     return "within the given durations" if fixed else "with the given rates at its ends"
-
-
-def holds_limits(program: Program, solution: Solution) -> bool:
-    """Whether the law holds every limit of the program, proved."""
-    return used_fraction(program.demands, solution.timings) <= 1

@@ -21,12 +21,13 @@ from timelaw.easing.family import Basis
 from timelaw.interrupts import check_interrupted, shield
 from timelaw.limits import Demand
 from timelaw.nlp.leg_symbols import LegSymbols, rates_at
-from timelaw.nlp.program import Program, RunProblem
+from timelaw.nlp.program import FARTHEST, Program, RunProblem
 from timelaw.nlp.terms import Terms
 from timelaw.numerics.array import Array
 
 Points = list[list[Array]]  # points[leg][row]: where that row is demanded on that leg
 LEAST_DURATION = 1e-6  # in units of the start's duration of that leg, which itself holds the limits
+MOST_DURATION = 4.0  # of its run's start, half a turn longer: no leg needs more to hold its limits
 
 
 @dataclass(frozen=True)
@@ -157,14 +158,30 @@ def _limit_rows(
 
 
 def _variable_bounds(program: Program, units: Array, sizes: Sequence[int]) -> dict[str, Array]:
-    """Durations stay positive, and fixed ones fixed; the used part of the limits is not negative."""
+    """Durations stay positive, and fixed ones fixed; the used part of the limits is not negative.
+
+    The less of the limits is to be used, the longer a leg may take: without an end to that the solver would
+    let the body creep for ever.
+    """
     lower, upper = np.full(sum(sizes), -np.inf), np.full(sum(sizes), np.inf)
     lower[: sizes[0]] = LEAST_DURATION
+    if program.objective.scales_limits:
+        upper[: sizes[0]] = _list_longest(program, units)
     for k, demand in enumerate(program.demands):
         if demand.duration is not None:
             lower[k] = upper[k] = demand.duration / units[k]
     lower[-1], upper[-1] = 0.0, (np.inf if program.objective.scales_limits else 0.0)
     return {"lbx": lower, "ubx": upper}
+
+
+def _list_longest(program: Program, units: Array) -> Array:
+    """For each leg the longest that its run may ever need, in units of its start."""
+    longest: list[float] = []
+    for run in program.runs:
+        own = units[len(longest) : len(longest) + len(run.demands)]
+        further = 1 + FARTHEST / run.run.angle
+        longest += [MOST_DURATION * further * float(np.sum(own))] * len(own)
+    return np.array(longest) / units
 
 
 def pack(program: Program, timings: Sequence[Timing], units: Array, peak: float) -> Array:
