@@ -146,6 +146,7 @@ def test_larger_sets_have_a_bound_that_holds(points):
     assert merit.value <= sum_times(timed, rows, closed=False) + 1e-9
 
 
+@pytest.mark.campaign
 def test_the_bound_is_below_the_exact_time_where_both_are_known(monkeypatch):
     from timelaw.tours import fastest as module
 

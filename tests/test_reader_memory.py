@@ -32,7 +32,12 @@ HEAVY = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("case", HEAVY)
+ALIKE = ("keys", "values")  # others of their kind stay in the default run
+
+
+@pytest.mark.parametrize(
+    "case", [pytest.param(c, marks=pytest.mark.campaign if c in ALIKE else ()) for c in HEAVY]
+)
 def test_memory_stays_below_a_gigabyte(tmp_path, case):
     (module, read), make, answer = HEAVY[case]
     path = tmp_path / "input"
