@@ -13,6 +13,7 @@ from timelaw.through.passage import Passage, Through
 from timelaw.time_law.baselines import time_double_s, time_quintic
 
 COUNT_STOPS = ("fastest", "fewest-stops")  # tours that are best for a motion that stops
+STOPPED = "stopped early by the time limit: the best law found by then is used; give more with --time-limit"
 SHOWN = 5  # passages, of which the terminal tells
 NOTICEABLE = 1e-9  # relative; two baselines nearer than that are one
 
@@ -106,4 +107,5 @@ def describe_rungs(route: Route, through: Through) -> list[str]:
             ends = f"{route.nodes[passage.first].label} to {route.nodes[passage.last].label}"
             found.append(f"{ends}: {'; '.join(tried)}")
     more = len(found) - SHOWN
-    return [*found[:SHOWN], f"and {more} passages more"] if more > 0 else found
+    shown = [*found[:SHOWN], f"and {more} passages more"] if more > 0 else found
+    return [*shown, STOPPED] if through.stopped_early else shown
