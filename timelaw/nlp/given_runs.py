@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import lru_cache
 from math import inf
 
 from timelaw.easing import Timing
@@ -19,6 +20,7 @@ from timelaw.time_limit import is_late
 
 LEAST_MARGIN = 1e-8  # of the limits, where a greater one leaves no room
 TIME_OVER = "the time limit ended the search before any law was found; give more with --time-limit"
+KEPT = 8  # runs whose poorest law is remembered, while one family after the other is tried
 SHOWN = 1e-5  # relative; a factor nearer to one is written with more digits
 
 
@@ -88,13 +90,9 @@ def _solve_from_least(problem: RunProblem, program: Program) -> list[Solution]:
     least = PolynomialFamily(2 * r + 1, r)
     if problem.family == least:
         return []
-    poorer = replace(problem, family=least)
-    starts, simpler = _list_starts(poorer), Program((poorer,))
-    laws = _solve_from_all(simpler, starts, None)
-    simple = min(laws, key=lambda solution: solution.duration, default=None)
-    if simple is None:
-        on_arcs = replace(simpler, margin=LEAST_MARGIN)
-        simple = _solve_from_peak(on_arcs, [start for _, start in starts], [], [])
+    simple = _solve_simplest(replace(problem, family=least))
+    if is_late():  # what a time limit cut short is remembered for no one
+        _solve_simplest.cache_clear()
     if simple is None:
         return []
     found = solve_from(program, simple.timings)
@@ -102,6 +100,18 @@ def _solve_from_least(problem: RunProblem, program: Program) -> list[Solution]:
     if found is not None and holds_limits(program, found):
         solved.append(replace(found, status=Status.SIMPLER) if found.status is Status.OPTIMAL else found)
     return solved
+
+
+@lru_cache(maxsize=KEPT)
+def _solve_simplest(problem: RunProblem) -> Solution | None:
+    """The law over a run of the poorest family, for all richer ones to begin from."""
+    starts, program = _list_starts(problem), Program((problem,))
+    laws = _solve_from_all(program, starts, None)
+    simple = min(laws, key=lambda solution: solution.duration, default=None)
+    if simple is not None:
+        return simple
+    on_arcs = replace(program, margin=LEAST_MARGIN)
+    return _solve_from_peak(on_arcs, [start for _, start in starts], [], [])
 
 
 def solve_from_peak(
