@@ -9,6 +9,7 @@ import sys
 import time
 from argparse import ArgumentParser
 from collections.abc import Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -107,13 +108,15 @@ def list_orders() -> Iterator[list[str]]:
             yield [lattice, tour, f"{turning:.0f}°", *times]
 
 
-def list_sets(count: int, seed: int) -> Iterator[list[str]]:
+def list_sets(count: int, seed: int, processes: int) -> Iterator[list[str]]:
     """One row for each kind of random set."""
     sets = [draw_problem(seed, number) for number in range(count)]
     found: dict[str, list[tuple[str, float, float]]] = {kind: [] for kind in KINDS}
-    for number, (kind, data) in enumerate(sets, 1):
-        found[kind].append(_try_set(data))
-        print(f"set {number} of {count}: {kind}, {found[kind][-1][0]}", file=sys.stderr)
+    with ProcessPoolExecutor(processes) as pool:
+        results = pool.map(_try_set, [data for _, data in sets])
+        for number, ((kind, _), result) in enumerate(zip(sets, results, strict=True), 1):
+            found[kind].append(result)
+            print(f"set {number} of {count}: {kind}, {result[0]}", file=sys.stderr)
     for kind, results in found.items():
         if results:
             yield _summarise(kind, results)
@@ -152,13 +155,18 @@ def main(arguments: Sequence[str]) -> None:
     parser.add_argument("page", type=Path)
     parser.add_argument("--sets", type=int, default=200)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--processes", type=int, default=1)
     parser.add_argument("--only", choices=[*TABLES, "sets", "large"])
     given = parser.parse_args(arguments)
     for mark, (headings, rows) in TABLES.items():
         if given.only in (None, mark):
             _replace(given.page, mark, format_markdown(headings, list(rows())))
     if given.only in (None, "sets"):
-        _replace(given.page, "sets", format_markdown(SETS, list(list_sets(given.sets, given.seed))))
+        _replace(
+            given.page,
+            "sets",
+            format_markdown(SETS, list(list_sets(given.sets, given.seed, given.processes))),
+        )
     if given.only in (None, "large"):
         _replace(given.page, "large", format_markdown(SETS, list(list_large_set(given.seed))))
 
