@@ -113,8 +113,8 @@ def list_sets(count: int, seed: int, processes: int) -> Iterator[list[str]]:
     sets = [draw_problem(seed, number) for number in range(count)]
     found: dict[str, list[tuple[str, float, float]]] = {kind: [] for kind in KINDS}
     with ProcessPoolExecutor(processes) as pool:
-        results = pool.map(_try_set, [data for _, data in sets])
-        for number, ((kind, _), result) in enumerate(zip(sets, results, strict=True), 1):
+        tried = pool.map(_try_set, [data for _, data in sets])
+        for number, ((kind, _), result) in enumerate(zip(sets, tried, strict=True), 1):
             found[kind].append(result)
             print(f"set {number} of {count}: {kind}, {result[0]}", file=sys.stderr)
     for kind, results in found.items():
@@ -158,9 +158,9 @@ def main(arguments: Sequence[str]) -> None:
     parser.add_argument("--processes", type=int, default=1)
     parser.add_argument("--only", choices=[*TABLES, "sets", "large"])
     given = parser.parse_args(arguments)
-    for mark, (headings, rows) in TABLES.items():
+    for mark, (headings, list_rows) in TABLES.items():
         if given.only in (None, mark):
-            _replace(given.page, mark, format_markdown(headings, list(rows())))
+            _replace(given.page, mark, format_markdown(headings, list(list_rows())))
     if given.only in (None, "sets"):
         _replace(
             given.page,
