@@ -23,6 +23,7 @@ ENOUGH = 3e-3  # of the time: a rung that gains less is the last one
 SPLIT_RADIUS = 0.1  # of the trust region after a split
 SPLIT_LOSS = 1.2  # times the time: a split that loses more is done from the first rung's curve
 TINY = 0.2  # of the mean angle of legs: where some are smaller, both ways to measure rates are tried
+MANY = 300  # legs: of more of them one way is tried only, for each takes minutes
 NARROWER = 0.5  # by which a bound on the deviation is lowered, from one that is reached to the one asked for
 MOST_BOUNDS = 12
 
@@ -129,7 +130,8 @@ def _begin_rung(
 
 def _search(curve: Curve, stretch: Stretch, measures: Sequence[Measure], radius: float) -> Found:
     """The better of what both ways to measure the rates at nodes come to, where there are tiny legs."""
-    tiny = float(np.min(stretch.angles)) < TINY * float(np.mean(stretch.angles))
+    small = float(np.min(stretch.angles)) < TINY * float(np.mean(stretch.angles))
+    tiny = small and len(stretch.angles) <= MANY
     found = [
         improve(
             curve,
