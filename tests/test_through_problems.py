@@ -13,6 +13,7 @@ from timelaw.numerics.quaternion import rotation_between
 from timelaw.pipeline import design_problem
 from timelaw.problem.load import check_problem
 from timelaw.problem.source import read
+from timelaw.report.summary import measure_all_efforts
 from timelaw.reproduce.random_sets import KINDS, draw_problem
 from timelaw.time_law.baselines import time_double_s
 
@@ -131,6 +132,18 @@ def test_what_is_given_is_kept(more, time):
 def test_an_objective_is_less_than_that_of_stopping(what):
     through = design_text(f"objective: {{minimise: {what}, total_time: 9 s}}").through
     assert through.spent < 0.9 * through.stopping_spent
+
+
+def test_efforts_of_a_sweep_are_those_of_the_motion():
+    """As the search counts them, and by sums over samples."""
+    body = "body: {inertia: [12 kg*m^2, 10 kg*m^2, 8 kg*m^2]}"
+    for what in ("jerk", "torque"):
+        design = design_text(f"{body}\nobjective: {{minimise: {what}, total_time: 9 s}}")
+        found = measure_all_efforts(design)
+        assert found[what] == pytest.approx(design.through.spent, rel=1e-6)
+    t = (np.arange(40000) + 0.5) * (9 / 40000)
+    alpha = design.optimised.law(t, 2)
+    assert found["energy"] == pytest.approx(float(np.sum(alpha**2)) * 9 / 40000, rel=1e-5)
 
 
 def test_a_closed_tour_goes_round():

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from math import inf, isfinite
 from typing import Any
 
-from timelaw.certificate.effort import measure_effort
+from timelaw.certificate.effort import measure_effort, measure_torque
 from timelaw.limits import Demand
 from timelaw.nlp import Solution
 from timelaw.objectives import EFFORTS
@@ -112,11 +112,23 @@ def _run_row(count: int, demands: Sequence[Demand], least: float, solution: Solu
     )
 
 
+def _measure_curves(design: Design) -> dict[str, float]:
+    """The same of a law that leaves the arcs."""
+    law, continuity = design.optimised.law, design.optimised.certificate.continuity
+    orders = {name: max(effort.orders) for name, effort in EFFORTS.items() if not effort.needs_inertia}
+    found = {name: measure_effort(law, continuity, order) for name, order in orders.items()}
+    if law.body is not None and not law.body.total_momentum:
+        found["torque"] = measure_torque(law) if continuity.order >= 1 else inf
+    return dict(sorted(found.items()))
+
+
 def measure_all_efforts(design: Design) -> dict[str, float]:
     """∫ of each effort over the optimised law, infinite where a rate below it jumps.
 
     Those that need the inertia only where it is known.
     """
+    if design.through is not None:
+        return _measure_curves(design)
     demands, timings = design.requirements.demands, design.solution.timings
     known = all(demand.torque is not None for demand in demands)
     smooth = design.optimised.certificate.continuity.order
