@@ -10,6 +10,7 @@ from timelaw.pipeline import Design, design_problem
 from timelaw.problem.load import check_problem
 from timelaw.progress import Progress
 from timelaw.report import list_law_rows
+from timelaw.report.passing_text import describe_rungs
 from timelaw.report.summary import measure_all_efforts
 from timelaw.study.study import Study
 from timelaw.workers import run_tasks
@@ -87,6 +88,8 @@ def run_point(study: Study, point: dict[str, Any]) -> Outcome:
 def _outcome(point: dict[str, Any], design: Design) -> Outcome:
     row = list_law_rows(design)[0]
     status = sorted({s.describe() for s in design.solution.solutions})
+    if design.through is not None:
+        status = describe_rungs(design.route, design.through)
     return Outcome(
         point,
         row.holds,
