@@ -35,7 +35,7 @@ ROUTES = {
     "600-cell, shortest": ("600-cell", "shortest"),
     "120-cell, shortest": ("120-cell", "shortest"),
 }
-PIECES = {"24-cell": (1, 2, 3), "600-cell": (1, 2), "120-cell": (1, 2)}
+PIECES = {"24-cell": (1, 2, 3), "600-cell": (1, 2), "120-cell": (1,)}
 DEVIATIONS = (None, 10, 5, 2, 1)  # deg
 ORDERS = {
     "24-cell": ("paper", "shortest", "least-turning", "fewest-stops"),
