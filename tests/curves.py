@@ -63,3 +63,13 @@ def evaluate(control, u):
     """Σ B_i(u) c_i by binomials, u (m,)."""
     u, n = np.asarray(u)[:, None], len(control) - 1
     return sum(comb(n, i) * u**i * (1 - u) ** (n - i) * np.asarray(control[i]) for i in range(n + 1))
+
+
+def halves(u=0.3, projective=1.0, parts=(TURNS, PLACES)):
+    """One curve cut in two; the second run through otherwise, where its weights are multiplied by powers."""
+    left, right = split(parts[0], u)
+    right = right * projective ** np.arange(len(right))[:, None]
+    if parts[1] is None:
+        return [curve(left), curve(right)]
+    ways = split(parts[1], u)
+    return [curve(left, ways[0]), curve(right, ways[1])]

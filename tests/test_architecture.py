@@ -26,7 +26,7 @@ SENTENCE = [room for rooms in WINGS.values() for room in rooms]
 LAW_WING, DESIGN_WING = set(WINGS["law wing"]), set(WINGS["design wing"])
 HOMES = {
     "casadi": "nlp",
-    "clarabel": "through bezier",
+    "clarabel": "through",
     "matplotlib": "report",
     "jinja2": "report",
     "click": "cli",

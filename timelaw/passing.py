@@ -14,6 +14,7 @@ from timelaw.progress import Progress
 from timelaw.proved_passages import prove_given, prove_passages
 from timelaw.requirements import Requirements
 from timelaw.route import Route
+from timelaw.through.curve import Curve
 from timelaw.through.given_route import is_given, resolve_given
 from timelaw.through.passage import Through, find_passages
 from timelaw.through.stopping import list_stopping, relax
@@ -55,20 +56,22 @@ def _pass_given(
     ends = (problem.nodes.moving_start, problem.nodes.end)
     aslant = any(rates is not None and rates.in_body_axes for rates in ends)
     free, relaxed = relax(problem, requirements)
-    kept, asked, goal = requirements, problem, problem.objective
+    kept, reason = requirements, None
+    asked, least = _resolve_total_time(problem, route, requirements)
     try:
         if aslant:
             raise InfeasibleError(Fault("along an arc the body turns about its axis only"))
-        if goal.total_time is not None and goal.total_time.relative:
-            asked = _resolve_total_time(problem, route, requirements)
         family, solution = optimise(asked, route, requirements, progress)
-    except InfeasibleError:  # what stops cannot; what passes the nodes may
-        kept = relaxed
+    except InfeasibleError as error:  # what stops cannot; what passes the nodes may
+        kept, reason = relaxed, error
         family, solution = _stop(free, route, relaxed, progress)
-    given = resolve_given(asked, route, requirements, solution.timings)
+    given = resolve_given(asked, route, requirements, solution.timings, least)
     own = solution.timings if kept is requirements else None
     time = sum_durations(solution.timings)
-    proved = prove_given(asked, route, requirements, given, own, time, progress)
+    try:
+        proved = prove_given(asked, route, requirements, given, own, time, progress)
+    except InfeasibleError as error:
+        raise InfeasibleError(*error.faults, *(reason.faults if reason else ())) from None
     return Passed(family, solution, kept, *proved)
 
 
@@ -86,11 +89,18 @@ def _stop(
     return min(found, key=lambda one: sum_durations(one[1].timings))
 
 
-def _resolve_total_time(problem: Problem, route: Route, requirements: Requirements) -> Problem:
-    """The problem with the total time in seconds that it gives as a multiple of the least one."""
+def _resolve_total_time(
+    problem: Problem, route: Route, requirements: Requirements
+) -> tuple[Problem, Curve | None]:
+    """The problem with its total time in seconds, and the least-time curve where it is a multiple of that."""
+    total_time = problem.objective.total_time
+    if total_time is None or not total_time.relative:
+        return problem, None
     free, relaxed = relax(problem, requirements)
-    _, least = _stop(free, route, relaxed)
-    given = resolve_given(problem, route, requirements, least.timings)
+    _, stopping = _stop(free, route, relaxed)
+    given = resolve_given(problem, route, requirements, stopping.timings)
+    if given is None:
+        return problem, None
     total = TotalTime(given.given.budgets[-1][1] + requirements.dwell_time)
     goal = problem.objective.model_copy(update={"total_time": total})
-    return problem.model_copy(update={"objective": goal})
+    return problem.model_copy(update={"objective": goal}), given.least

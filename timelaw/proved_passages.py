@@ -15,15 +15,25 @@ from timelaw.problem import Problem
 from timelaw.progress import Progress
 from timelaw.requirements import Requirements
 from timelaw.route import Route
+from timelaw.through.curve import Curve
 from timelaw.through.given import MARGIN
-from timelaw.through.given_route import GivenRoute, decide, describe_lack, find_given_passage, find_place
+from timelaw.through.given_route import (
+    GivenRoute,
+    decide,
+    describe_lack,
+    find_given_passage,
+    find_place,
+    spend_stopping,
+)
 from timelaw.through.passage import Passage, Through
 from timelaw.time_law import TimeLaw
 from timelaw.time_law.time_law import OPTIMISED_LAW
+from timelaw.time_limit import is_late
 
 ROUNDS = 8  # of stretching; one is enough but where a total momentum makes a limit not homogeneous
 MARGINS = (MARGIN, 10 * MARGIN)  # of the limits, by which the search keeps from them
 ASIDE = 1e-12  # of the time: how far a law keeps from its limits
+ROUNDING = 4e-16  # of a factor, whose peaks were rounded up
 
 
 def prove_passages(
@@ -34,27 +44,45 @@ def prove_passages(
     A curve that then is no faster than stopping, or leaves its arcs too far, is given up.
     """
     passages = list(through.passages)
-    name, continuity = problem.name, problem.nodes.continuity
-    for _ in range(ROUNDS):
-        law = compose_through(
-            name,
-            route,
-            passages,
-            timings,
-            requirements,
-            continuity,
-            problem.motion.deviation,
-            periodic=problem.nodes.periodic,
-        )
+    for number in range(ROUNDS + 1):
+        law = _lay(problem, route, requirements, passages, timings)
         certificate = certify(law)
         factors = find_factors(certificate, law, passages)
-        if all(factor is not None and 1 - 3 * ASIDE < factor <= 1 for factor in factors):
+        if all(factor is not None and 1 - 3 * ASIDE < factor <= 1 + ROUNDING for factor in factors):
             break
+        given_up = number == ROUNDS - 1
         passages = [
-            passage.take(None if factor is None or passage.curve is None else passage.curve.stretched(factor))
+            passage.take(_pace(passage.curve, factor, given_up=given_up))
             for passage, factor in zip(passages, factors, strict=True)
         ]
     return replace(through, passages=tuple(passages)), law, certificate
+
+
+def _pace(curve: Curve | None, factor: float | None, *, given_up: bool) -> Curve | None:
+    """A curve in `factor` times the time; none where time mends nothing, or rounds enough did not."""
+    if curve is None or factor is None or (given_up and factor > 1 + ROUNDING):
+        return None
+    return curve.stretched(factor)
+
+
+def _lay(
+    problem: Problem,
+    route: Route,
+    requirements: Requirements,
+    passages: Sequence[Passage],
+    timings: Sequence[Timing],
+) -> QuaternionLaw:
+    """The law of passages."""
+    return compose_through(
+        problem.name,
+        route,
+        passages,
+        timings,
+        requirements,
+        problem.nodes.continuity,
+        problem.motion.deviation,
+        periodic=problem.nodes.periodic,
+    )
 
 
 def find_factors(
@@ -108,7 +136,7 @@ def prove_given(
     problem: Problem,
     route: Route,
     requirements: Requirements,
-    given: GivenRoute,
+    given: GivenRoute | None,
     timings: Sequence[Timing] | None,
     time: float,
     progress: Progress | None = None,
@@ -116,7 +144,7 @@ def prove_given(
     """The law that keeps what is given: a curve, or the `timings` of one that stops, where that is better.
 
     `time` [s] is what a law takes that stops. A curve that is not proved is searched again farther from the
-    limits.
+    limits, and given up if that does not help. Where nothing is `given` there is no curve.
 
     Raises:
         InfeasibleError: there is no law that keeps it.
@@ -126,31 +154,21 @@ def prove_given(
         if progress is not None:
             progress("passing the nodes", rung, rungs)
 
+    passage = Passage(0, len(route.legs), time)
     for margin in MARGINS:
+        if given is None:
+            break
         passage = find_given_passage(given, time, tell, margin)
         through = decide(problem, requirements, given, passage, timings)
         if through.passages[0].curve is None:
             break
-        law = compose_through(
-            problem.name,
-            route,
-            through.passages,
-            (),
-            requirements,
-            problem.nodes.continuity,
-            problem.motion.deviation,
-            periodic=problem.nodes.periodic,
-        )
+        law = _lay(problem, route, requirements, through.passages, ())
         certificate = certify(law)
-        if certificate.limits_hold or margin == MARGINS[-1]:
+        if certificate.limits_hold:
             return through, law, certificate
     if timings is None:
         raise InfeasibleError(Fault(describe_lack(passage), find_place(problem, requirements, route)))
-    law = compose_law(
-        problem.name,
-        route,
-        TimeLaw(OPTIMISED_LAW, tuple(timings), requirements.dwells),
-        requirements,
-        problem.nodes.continuity,
-    )
-    return through, law, certify(law)
+    time_law = TimeLaw(OPTIMISED_LAW, tuple(timings), requirements.dwells)
+    law = compose_law(problem.name, route, time_law, requirements, problem.nodes.continuity)
+    spent = spend_stopping(problem, requirements, timings)
+    return Through((replace(passage, curve=None),), is_late(), spent, spent), law, certify(law)

@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator
 
-import clarabel
 import numpy as np
 from numpy.typing import NDArray
 from scipy import sparse
@@ -10,13 +9,12 @@ from scipy import sparse
 from timelaw.bezier.legs import Choice, Run
 from timelaw.bezier.rates import STATES, derive_parts, list_used
 from timelaw.numerics.array import Array
+from timelaw.through.cones import HEAD, solve_cones
 
 SPARSE = 4  # every so many points are rows, breaks of splines among them; others only where they are maxima
 NEAR = 0.7  # of a limit: maxima below it are no rows of their own
 SLOW = 0.5  # u' below that part of its mean is held from turning back
-SOLVED = ("Solved", "AlmostSolved")
 TINY = 1e-200  # of a row; so small a one is none
-HEAD = 4  # rows of a cone: the room, and three components
 
 
 def solve_step(run: Run, choice: Choice, radius: float) -> tuple[Array | None, int]:
@@ -29,25 +27,13 @@ def solve_step(run: Run, choice: Choice, radius: float) -> tuple[Array | None, i
     matrix[: len(linear)] /= sizes[:, None]
     cost = np.zeros(len(scales))
     cost[: len(run.legs)] = choice.durations / choice.total
-    settings = clarabel.DefaultSettings()
-    settings.verbose = False
-    settings.max_threads = 1  # last digits must not depend on how many there are
-    solver = clarabel.DefaultSolver(
-        sparse.csc_matrix((len(scales), len(scales))),
+    found = solve_cones(
         cost,
         sparse.vstack([identity, -identity, sparse.csc_matrix(matrix)], format="csc"),
         np.concatenate([np.full(2 * len(scales), radius), right / sizes, heads]),
-        [
-            clarabel.NonnegativeConeT(2 * len(scales) + len(linear)),
-            *[clarabel.SecondOrderConeT(HEAD)] * (len(cones) // HEAD),
-        ],
-        settings,
+        (2 * len(scales) + len(linear), 0, len(cones) // HEAD),
     )
-    solution = solver.solve()
-    rows = len(linear) + len(cones)
-    if str(solution.status) not in SOLVED:
-        return None, rows
-    return np.array(solution.x) * scales, rows
+    return None if found is None else found * scales, len(linear) + len(cones)
 
 
 def _linearise(run: Run, choice: Choice) -> tuple[Array, Array, Array, Array]:

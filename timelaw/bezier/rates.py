@@ -11,12 +11,12 @@ from typing import Any
 import numpy as np
 
 from timelaw.bezier.curve import Curve
-from timelaw.bezier.dual import Dual, make_variables
 from timelaw.limits import Bounds, Limit, make_limits
 from timelaw.limits.body import RigidBody
 from timelaw.limits.formula import LINEAR, Formula, Vector
 from timelaw.numerics.array import Array
 from timelaw.numerics.quaternion import rotation_matrix
+from timelaw.through.dual import Dual, seed
 
 STATES = 5  # u and four derivatives
 MOST_LINEAR = 2  # derivative of the place that a limit may bound
@@ -47,7 +47,7 @@ def measure_parts(curve: Curve, limits: Sequence[Split], states: Array, total: A
 
 def derive_parts(curve: Curve, limits: Sequence[Split], states: Array, total: Array) -> tuple[Array, Array]:
     """The same, and their slopes (l, 3, m, 5) by the states."""
-    formulas = _expand(curve, limits, make_variables(states), states[:, 0], total)
+    formulas = _expand(curve, limits, seed(states, 0, STATES), states[:, 0], total)
     values = np.stack([np.stack([f.value.value / f.bound for f in own]) for own in formulas])
     return values, np.stack([np.stack([f.value.slope / f.bound for f in own]) for own in formulas])
 
@@ -90,16 +90,9 @@ def _chain(x: Sequence[Vector], states: Sequence[Any], highest: int) -> dict[int
         [j, p * a * 3.0, p * p * p],
         [s, p * j * 4.0 + a * a * 3.0, p * p * a * 6.0, p * p * p * p],
     ]
-    return {
-        k + 1: [_sum(f * x[i][c] for i, f in enumerate(factors[k])) for c in range(3)] for k in range(highest)
-    }
-
-
-def _sum(terms: Any) -> Any:
-    first, *others = terms
-    for other in others:
-        first = first + other
-    return first
+    terms = {k: [[f * part for part in x[i]] for i, f in enumerate(factors[k])] for k in range(highest)}
+    columns = {k: zip(*own, strict=True) for k, own in terms.items()}
+    return {k + 1: [sum(parts[1:], parts[0]) for parts in own] for k, own in columns.items()}
 
 
 def _turn_back(curve: Curve, first: Any, u: Array, omega: Array, total: Array) -> Vector:

@@ -53,3 +53,13 @@ def product(p: Sequence[Any], q: Sequence[Any]) -> list[Any]:
     across = cross(p[1:], q[1:])
     scalar = p[0] * q[0] + dot(p[1:], q[1:]) * -1
     return [scalar, *(p[0] * q[i + 1] + q[0] * p[i + 1] + across[i] for i in range(3))]
+
+
+def conjugate(q: Sequence[Any]) -> list[Any]:
+    """Q̄."""
+    return [q[0], *(part * -1 for part in q[1:])]
+
+
+def dot4(p: Sequence[Any], q: Sequence[Any]) -> Any:
+    """The inner product of four components each."""
+    return p[0] * q[0] + dot(p[1:], q[1:])

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from timelaw.limits import Limit
-from timelaw.limits.formula import Vector, cross, dot, product
+from timelaw.limits.formula import Vector, conjugate, cross, dot, dot4, product
 from timelaw.numerics.array import Array
 from timelaw.numerics.polynomial import PolynomialStack
 from timelaw.numerics.quotient import Quotient, divide
@@ -74,7 +74,8 @@ class CurveForm:
     @cached_property
     def square(self) -> PolynomialStack:
         """D, of degree 2d."""
-        return _dot4(self.derivatives[0], self.derivatives[0])
+        total: PolynomialStack = dot4(self.derivatives[0], self.derivatives[0])
+        return total
 
     @property
     def slope(self) -> PolynomialStack:
@@ -129,7 +130,7 @@ class CurveForm:
         if not any(vector):
             return vector
         q = self.derivatives[0]
-        turned = product(product(_conjugate(q), [0.0, *vector]), q)[1:]
+        turned = product(product(conjugate(q), [0.0, *vector]), q)[1:]
         return [part * self.duration for part in turned]
 
     def _derive_vector(self, order: int) -> Vector:
@@ -147,7 +148,7 @@ class CurveForm:
         q = self.derivatives
         found = [self.square]
         for order in range(1, len(q) - 1):
-            terms = [_dot4(q[i], q[order - i]) * float(comb(order, i)) for i in range(order + 1)]
+            terms = [dot4(q[i], q[order - i]) * float(comb(order, i)) for i in range(order + 1)]
             found.append(sum(terms[1:], terms[0]))
         return found
 
@@ -188,12 +189,3 @@ def _turn(p: Quaternion, q: Quaternion) -> Vector:
     """v(p, q)."""
     across = cross(q[1:], p[1:])
     return [p[0] * q[i + 1] + q[0] * p[i + 1] * -1.0 + across[i] for i in range(3)]
-
-
-def _dot4(p: Quaternion, q: Quaternion) -> PolynomialStack:
-    total: PolynomialStack = p[0] * q[0] + dot(p[1:], q[1:])
-    return total
-
-
-def _conjugate(q: Quaternion) -> Quaternion:
-    return [q[0], *(part * -1.0 for part in q[1:])]

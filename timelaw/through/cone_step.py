@@ -3,19 +3,17 @@
 from dataclasses import dataclass, field
 from typing import Any
 
-import clarabel
 import numpy as np
 from numpy.typing import NDArray
 from scipy import sparse
 
 from timelaw.numerics.array import Array
 from timelaw.through.columns import Columns, Index
+from timelaw.through.cones import HEAD, solve_cones
 from timelaw.through.curve import Curve
 from timelaw.through.rows import Rows
 
-SOLVED = ("Solved", "AlmostSolved")
 Entries = tuple[Index, Index, Array]
-HEAD = 4  # rows of a cone: the room, and three components
 
 
 @dataclass(frozen=True)
@@ -50,44 +48,37 @@ def solve_step(
     """The step that does best; None where nothing near enough holds the rows."""
     slacks = 0 if aim.soft is None else (1 if aim.shared else len(curve.duration))
     count = columns.count + slacks
-    matrix, right, cones = _constraints(rows, columns, slacks, scales, curve, aim)
+    matrix, right, count_of = _constraints(rows, columns, slacks, scales, curve, aim)
     down, up = columns.bounds(curve, radius)
     box = sparse.eye(columns.count, count, format="csc")
     blocks: list[Any] = [box, -box]
     sides = [up, down]
-    positive = 2 * columns.count
+    positive, zero = 2 * columns.count, 0
     if slacks and not aim.shared:
         blocks.append(-sparse.eye(slacks, count, k=columns.count, format="csc"))
         sides.append(np.zeros(slacks))
         positive += slacks
-    ahead: list[object] = [clarabel.NonnegativeConeT(positive)]
     scaling = sparse.diags(np.append(scales, np.ones(slacks)))
     if aim.kept is not None and aim.kept.shape[0]:
         blocks.append(_widen(aim.kept, slacks) @ scaling)
         sides.append(np.zeros(aim.kept.shape[0]))
-        ahead.append(clarabel.ZeroConeT(aim.kept.shape[0]))
+        zero = aim.kept.shape[0]
     cost = np.append(aim.cost, np.broadcast_to(aim.price, slacks)) * np.append(scales, np.ones(slacks))
     square = sparse.csc_matrix((count, count))
     if aim.slope is not None:
         slope = _widen(aim.slope, slacks) @ scaling
         square = sparse.triu(slope.T @ slope, format="csc")
         cost = cost + slope.T @ aim.residual
-    settings = clarabel.DefaultSettings()
-    settings.verbose = False
-    settings.max_threads = 1  # last digits must not depend on how many there are
-    solver = clarabel.DefaultSolver(
-        square,
+    norms, last = count_of
+    found = solve_cones(
         cost,
         sparse.vstack([*blocks, matrix], format="csc"),
         np.concatenate([*sides, right]),
-        [*ahead, *cones],
-        settings,
+        (positive, zero, norms),
+        square,
+        last,
     )
-    solution = solver.solve()
-    if str(solution.status) not in SOLVED:
-        return None
-    found = np.array(solution.x)
-    return Step(found[: columns.count] * scales, found[columns.count :])
+    return None if found is None else Step(found[: columns.count] * scales, found[columns.count :])
 
 
 def _widen(matrix: sparse.csr_matrix, by: int) -> sparse.csr_matrix:
@@ -96,8 +87,11 @@ def _widen(matrix: sparse.csr_matrix, by: int) -> sparse.csr_matrix:
 
 def _constraints(
     rows: Rows, columns: Columns, slacks: int, scales: Array, curve: Curve, aim: Aim
-) -> tuple[sparse.csc_matrix, Array, list[object]]:
-    """A and b of b - A x in the cones: |value + slope dx| ≤ 1 + k dh/h + slack, or each component so."""
+) -> tuple[sparse.csc_matrix, Array, tuple[int, int]]:
+    """A and b of b - A x: in so many cones, and after them so many rows that are at least zero.
+
+    |value + slope dx| ≤ 1 + k dh/h + slack, or each component so.
+    """
     leg = columns.legs[rows.leg]
     free = leg >= 0
     room = np.where(free, rows.power / curve.duration[rows.leg] * scales[np.maximum(leg, 0)], 0.0)
@@ -130,10 +124,7 @@ def _constraints(
     matrix = sparse.csc_matrix((value, (at.astype(int), where.astype(int))), shape=shape)
     tops = np.concatenate([np.ones((len(norms), 1)), rows.value[norms]], axis=1).ravel()
     sides = [1 - sign * rows.value[axes, i] for i in range(3) for sign in (1.0, -1.0)]
-    cones: list[object] = [clarabel.SecondOrderConeT(HEAD)] * len(norms)
-    if len(axes):
-        cones.append(clarabel.NonnegativeConeT(6 * len(axes)))
-    return matrix, np.concatenate([tops, *sides]), cones
+    return matrix, np.concatenate([tops, *sides]), (len(norms), 6 * len(axes))
 
 
 def _spread(at: Index, rows: Rows, own: Index, axis: int, sign: float, scales: Array) -> Entries:

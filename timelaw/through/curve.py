@@ -130,14 +130,9 @@ def _start_points(q: Vector, rates: Sequence[Vector], degree: int) -> list[Vecto
     for i in range(1, len(rates) + 1):
         total: list[Any] = [1.0, 0.0, 0.0, 0.0]
         for k in range(1, i + 1):
-            total = add4(total, _scale(states[k - 1], comb(i, k) / perm(degree, k)))
+            total = add(total, _scale(states[k - 1], comb(i, k) / perm(degree, k)))
         points.append(product(q, total))
     return points
-
-
-def add4(p: Vector, q: Vector) -> list[Any]:
-    """P + q of quaternions."""
-    return [a + b for a, b in zip(p, q, strict=True)]
 
 
 def make_curve(degree: int, pieces: int, turn: Array, rates: Array, duration: Array) -> Curve:

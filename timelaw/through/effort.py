@@ -14,6 +14,8 @@ from timelaw.limits.formula import ZERO
 from timelaw.numerics.array import Array
 from timelaw.through.columns import Columns
 from timelaw.through.curve import Curve
+from timelaw.through.dual import stack
+from timelaw.through.kinematics import list_rates, make_basis
 from timelaw.through.measures import LimitMeasure
 from timelaw.through.rows import derive_vector, look_at
 
@@ -31,6 +33,17 @@ def measure_vector(effort: str, legs: int, body: RigidBody | None) -> LimitMeasu
     """What is squared, as the limit on it sees it."""
     (limit,) = make_limits({VECTORS[effort]: 1.0}, body)
     return LimitMeasure(limit, np.ones((legs, 1)), ZERO)
+
+
+def measure_effort(curve: Curve, vector: LimitMeasure) -> float:
+    """∫ |v|² dt."""
+    nodes, weights = _rule()
+    basis = make_basis(curve.degree, nodes, vector.highest)
+    states = np.einsum("mko,poc->kcpm", basis, curve.control())
+    h = curve.steps[:, None]
+    legs = np.repeat(np.arange(len(curve.duration)), curve.pieces)[:, None]
+    value = stack(list(vector.vector(states, list_rates(states), h, legs)))
+    return float(np.sum(np.sum(value**2, axis=-1) * weights * h ** (1 - 2 * vector.power)))
 
 
 def list_residuals(curve: Curve, columns: Columns, vector: LimitMeasure) -> tuple[Array, sparse.csr_matrix]:

@@ -11,9 +11,9 @@ from math import inf
 import numpy as np
 
 from timelaw.numerics.array import Array
-from timelaw.through.columns import Columns, number_columns
+from timelaw.through.columns import number_columns
 from timelaw.through.curve import Curve, make_curve
-from timelaw.through.effort import list_residuals
+from timelaw.through.effort import measure_effort
 from timelaw.through.given_times import GivenTimes, Goal, fit_durations
 from timelaw.through.ladder import ENOUGH, SPLIT_RADIUS, Form, Rung, Stretch
 from timelaw.through.leaving import limit_deviation
@@ -66,8 +66,7 @@ def climb_given(
     curve = first or begin_given(stretch, form, given)
     held = [Scaled(m, _tighten(m, curve, given, margin)) for m in limits]
     if given.scales is None:
-        columns = number_columns(curve, stretch.held)
-        given = replace(given, scales=(curve.total, measure_effort(curve, columns, given.vector)))
+        given = replace(given, scales=(curve.total, measure_effort(curve, given.vector)))
     best: Curve | None = None
     value, told = inf, []
     for number, (degree, pieces) in enumerate(form.rungs):
@@ -138,9 +137,3 @@ def _search_given(
             break
     value = inf if found.curve is None else plan.look(found.curve, SAMPLES).merit
     return replace(found, steps=found.steps + steps), value
-
-
-def measure_effort(curve: Curve, columns: Columns, vector: LimitMeasure) -> float:
-    """∫ |v|² dt."""
-    residuals, _ = list_residuals(curve, columns, vector)
-    return float(residuals @ residuals)

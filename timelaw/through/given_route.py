@@ -11,14 +11,14 @@ from timelaw.easing.time_scaling import used_fraction
 from timelaw.errors import Fault, InputError
 from timelaw.numerics.array import Array
 from timelaw.objectives import EFFORTS
+from timelaw.objectives.effort import CALM
 from timelaw.problem import Problem
 from timelaw.requirements import Requirements
 from timelaw.requirements.given_times import list_budgets
 from timelaw.route import Route
-from timelaw.through.columns import number_columns
 from timelaw.through.curve import Curve
-from timelaw.through.effort import measure_vector
-from timelaw.through.given import CALM_PART, MARGIN, Given, climb_given, measure_effort
+from timelaw.through.effort import measure_effort, measure_vector
+from timelaw.through.given import CALM_PART, Given, climb_given
 from timelaw.through.ladder import Form, Stretch, climb
 from timelaw.through.measures import LimitMeasure, find_use
 from timelaw.through.passage import (
@@ -49,19 +49,17 @@ class GivenRoute:
         """The effort of a curve, or the largest used part of a limit."""
         if self.given.peak:
             return max(find_use(curve, [m], plain=True).worst ** max(m.power, 1) for m in self.measures)
-        return measure_effort(curve, number_columns(curve, self.stretch.held), self.given.vector)
-
-    def spend_stopping(self, requirements: Requirements, timings: Sequence[Timing], effort: str) -> float:
-        """The same of a law on the arcs."""
-        if self.given.peak:
-            return used_fraction(requirements.demands, timings)
-        return EFFORTS[effort].measure(requirements.demands, timings)
+        return measure_effort(curve, self.given.vector)
 
     def weigh(self, time: float, spent: float) -> float:
-        """What is made less."""
-        scales = self.given.scales or (1.0, 1.0)
-        effort = 0.0 if self.given.effort == CALM_PART and not self.given.budgets else self.given.effort
-        return spent if self.given.peak else self.given.time * time / scales[0] + effort * spent / scales[1]
+        """What is made less; where time is, but all of it is given, the calmer law counts."""
+        given = self.given
+        if given.peak:
+            return spent
+        if given.scales is None:
+            whole = any(legs == len(self.stretch.angles) for legs, _ in given.budgets)
+            return spent if whole else time
+        return given.time * time / given.scales[0] + given.effort * spent / given.scales[1]
 
 
 def is_given(problem: Problem, requirements: Requirements) -> bool:
@@ -72,9 +70,15 @@ def is_given(problem: Problem, requirements: Requirements) -> bool:
 
 
 def resolve_given(
-    problem: Problem, route: Route, requirements: Requirements, timings: Sequence[Timing]
-) -> GivenRoute:
+    problem: Problem,
+    route: Route,
+    requirements: Requirements,
+    timings: Sequence[Timing],
+    least: Curve | None = None,
+) -> GivenRoute | None:
     """What is given, on the route; `timings` are of a law that stops, from which the search begins.
+
+    `least` is the least-time curve if it is known. None where no curve keeps as near to the arcs as is asked.
 
     Raises:
         InputError: rates at an end break a limit.
@@ -85,7 +89,7 @@ def resolve_given(
     stretch = replace(lay_stretch(route, timings, legs), rests=rests, periodic=problem.nodes.periodic)
     measures = list_measures(route, requirements, legs, find_total_momentum(route, requirements))
     goal = problem.objective
-    effort = goal.minimise if goal.minimise in EFFORTS else "jerk"
+    effort = goal.minimise if goal.minimise in EFFORTS else CALM.name
     body = requirements.body if EFFORTS[effort].needs_inertia else None
     given = Given(
         measure_vector(effort, len(route.legs), body),
@@ -97,12 +101,10 @@ def resolve_given(
     )
     if goal.minimise == "time":
         return GivenRoute(stretch, measures, form, replace(given, time=1.0, effort=CALM_PART), None)
-    least, _ = climb(stretch, measures, replace(form, pieces=1))
+    least = least or climb(stretch, measures, replace(form, pieces=1))[0]
     if least is None:
-        raise InputError(Fault("no motion through the nodes keeps so near to the arcs", "motion.deviation"))
-    columns = number_columns(least, stretch.held)
-    scales = (least.total, measure_effort(least, columns, given.vector))
-    given = replace(given, scales=scales)
+        return None
+    given = replace(given, scales=(least.total, measure_effort(least, given.vector)))
     if goal.weight is not None:
         given = replace(given, time=1.0, effort=goal.weight)
     elif goal.total_time is not None:
@@ -112,7 +114,7 @@ def resolve_given(
 
 
 def find_given_passage(
-    route: GivenRoute, stopping: float, tell: Callable[[int, int], None], margin: float = MARGIN
+    route: GivenRoute, stopping: float, tell: Callable[[int, int], None], margin: float
 ) -> Passage:
     """The whole route on one curve, if one was found; `stopping` [s] is the time of a law that stops."""
     curve, rungs = climb_given(
@@ -153,6 +155,14 @@ def _find_rates(
     return rates / (1 + EASED) ** np.arange(1, smooth + 1)[:, None]
 
 
+def spend_stopping(problem: Problem, requirements: Requirements, timings: Sequence[Timing]) -> float | None:
+    """The effort of a law on the arcs, or the part of its limits that it uses; None where time counts."""
+    goal = problem.objective
+    if goal.minimise == "peak":
+        return used_fraction(requirements.demands, timings)
+    return EFFORTS[goal.minimise].measure(requirements.demands, timings) if goal.minimise in EFFORTS else None
+
+
 def decide(
     problem: Problem,
     requirements: Requirements,
@@ -161,19 +171,18 @@ def decide(
     timings: Sequence[Timing] | None,
 ) -> Through:
     """The curve, or the law that stops where that is better or alone; `timings` None if there is none."""
-    goal = problem.objective
-    effort = goal.minimise if goal.minimise in EFFORTS else "jerk"
+    told = problem.objective.minimise != "time"
     mine = theirs = inf
     spent = stopping_spent = None
     if passage.curve is not None:
         spent = route.spend(passage.curve)
         mine = route.weigh(passage.curve.total, spent)
     if timings is not None:
-        stopping_spent = route.spend_stopping(requirements, timings, effort)
+        effort = spend_stopping(problem, requirements, timings)
+        stopping_spent = CALM.measure(requirements.demands, timings) if effort is None else effort
         theirs = route.weigh(sum(timing.duration for timing in timings), stopping_spent)
     if mine >= theirs:
         passage, spent = replace(passage, curve=None), stopping_spent
-    told = goal.minimise != "time"
     return Through((passage,), is_late(), spent if told else None, stopping_spent if told else None)
 
 

@@ -14,7 +14,7 @@ from timelaw.numerics.array import Array
 from timelaw.through.columns import Columns
 from timelaw.through.cone_step import Aim, Step
 from timelaw.through.curve import Curve
-from timelaw.through.effort import list_residuals
+from timelaw.through.effort import list_residuals, measure_effort
 from timelaw.through.measures import LimitMeasure, Measure, Scaled, find_tops, find_use, sample_used
 from timelaw.through.rows import Rows
 from timelaw.through.search import Look
@@ -65,12 +65,15 @@ class GivenTimes:
             return Look(use, self._peak(curve, samples) + fixed)
         return Look(use, self._objective(curve) + float(self._prices(curve) @ over))
 
+    def _value(self, curve: Curve) -> float:
+        """What is made less, prices apart."""
+        return self._peak(curve, SAMPLES_OF_PEAK) if self.goal.peak else self._objective(curve)
+
     def _objective(self, curve: Curve) -> float:
         goal = self.goal
         value = goal.time * curve.total / goal.scales[0]
         if goal.effort:
-            residuals, _ = list_residuals(curve, self.columns, goal.vector)
-            value += goal.effort * float(residuals @ residuals) / goal.scales[1]
+            value += goal.effort * measure_effort(curve, goal.vector) / goal.scales[1]
         return value
 
     def _peak(self, curve: Curve, samples: int) -> float:
@@ -134,12 +137,7 @@ class GivenTimes:
         """The better of two that hold the limits."""
         if look.use.worst > NEARLY or find_use(curve, self.limits, FINE, plain=True).broken:
             return best
-        value = self._peak if self.goal.peak else None
-        if best is None:
-            return curve
-        if value is not None:
-            return curve if value(curve, SAMPLES_OF_PEAK) < value(best, SAMPLES_OF_PEAK) else best
-        return curve if self._objective(curve) < self._objective(best) else best
+        return curve if best is None or self._value(curve) < self._value(best) else best
 
     def rescue(self, curve: Curve, look: Look) -> Curve | None:  # noqa: ARG002
         """Nothing slower is allowed."""

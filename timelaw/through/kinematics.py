@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from timelaw.limits.formula import Vector, dot, product
+from timelaw.limits.formula import Vector, conjugate, dot4, product
 from timelaw.numerics.array import Array
 from timelaw.numerics.bernstein import basis_matrix
 
@@ -25,7 +25,7 @@ def make_basis(degree: int, u: Array, highest: int) -> Array:
 def list_rates(q: States) -> dict[int, Vector]:
     """X_k (3) for k = 1 … the highest derivative of Q that is there."""
     squares = [
-        _add(dot4(q[i], q[k - i]) * float(comb(k, i)) for i in range(k + 1)) for k in range(len(q) - 1)
+        _add([dot4(q[i], q[k - i]) * float(comb(k, i)) for i in range(k + 1)]) for k in range(len(q) - 1)
     ]
     over = squares[0] ** -1.0
     rates: dict[int, Vector] = {}
@@ -46,18 +46,6 @@ def turn_back(q: Vector, vector: Vector) -> Vector:
     return [part * over for part in product(product(conjugate(q), inner), q)[1:]]
 
 
-def dot4(p: Vector, q: Vector) -> Any:
-    """The inner product of two quaternions."""
-    return p[0] * q[0] + dot(p[1:], q[1:])
-
-
-def conjugate(q: Vector) -> Vector:
-    """Q̄."""
-    return [q[0], *(part * -1.0 for part in q[1:])]
-
-
-def _add(parts: Any) -> Any:
-    first, *rest = parts
-    for part in rest:
-        first = first + part
-    return first
+def _add(parts: Sequence[Any]) -> Any:
+    """Σ, of whatever numbers."""
+    return sum(parts[1:], parts[0])

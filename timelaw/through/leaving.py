@@ -11,11 +11,11 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from timelaw.limits.formula import Vector
+from timelaw.limits.formula import Vector, dot4
 from timelaw.numerics.arc_frame import frame_arc
 from timelaw.numerics.array import Array
 from timelaw.through.dual import value_of
-from timelaw.through.kinematics import States, dot4
+from timelaw.through.kinematics import States
 
 INSIDE = 1e-3  # of the bound, by which the search keeps from it: no stretch mends what is beyond
 

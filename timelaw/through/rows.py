@@ -16,6 +16,7 @@ from timelaw.through.kinematics import list_rates
 from timelaw.through.measures import Measure, find_highest, find_tops
 
 NEAR = 0.75  # used parts below it are no rows, unless the trust region could bring them up
+BLOCK = 4096  # places that are looked at together, so that memory stays small
 REACH = 1.5  # times the trust region: how far a used part may rise in a step
 
 
@@ -23,8 +24,8 @@ REACH = 1.5  # times the trust region: how far a used part may rise in a step
 class Rows:
     """Vectors over their bounds, to first order: `value` (n, 3), `slope` (n, 3, v) by `columns` (n, v).
 
-    `power` (n,) is that of time in them; they are of pieces of `leg` (n,). `by_axis` (n,) says which kind of
-    bound it is, and `size` (n,) how many bounds there are of the value.
+    `power` (n,) is that of time in them; they are of pieces of `leg` (n,). `by_axis` (n,) says whether each
+    component is bounded, or the norm.
     """
 
     value: Array
@@ -37,12 +38,11 @@ class Rows:
 
 @dataclass(frozen=True)
 class Places:
-    """Instants of pieces: their numbers (n,), places u (n,), and a curve's states and their slopes there."""
+    """Places on pieces (n,), a curve's states there (n, o, 4), and their slopes (n, o, 4, v)."""
 
     piece: Index
-    at: Array
-    values: Array  # (n, o, 4)
-    slopes: Array  # (n, o, 4, v): the last of v is h itself
+    values: Array
+    slopes: Array
 
 
 def look_at(curve: Curve, slopes: Array, piece: Index, at: Array, highest: int) -> Places:
@@ -54,10 +54,7 @@ def look_at(curve: Curve, slopes: Array, piece: Index, at: Array, highest: int) 
     for start in range(0, len(piece), BLOCK):
         own = slice(start, start + BLOCK)
         found[own] = np.einsum("noi,nicv->nocv", basis[own], slopes[piece[own]], optimize=True)
-    return Places(piece, at, values, found)
-
-
-BLOCK = 4096  # places that are looked at together, so that memory stays small
+    return Places(piece, values, found)
 
 
 def collect_rows(

@@ -15,11 +15,8 @@ from timelaw.through.kinematics import list_rates
 from timelaw.through.measures import Measure, find_use
 
 SPLINE_DEGREES = {2: 3, 3: 5}  # by class: the spline's is one more than what its knots' rates need
-ROUNDS, SPREAD = (
-    12,
-    0.35,
-)  # of evening out the legs: the power of what a leg uses against the one that uses most
-BLENDS = 12  # halvings of how far the start leaves the arcs
+ROUNDS = 12  # of evening out the legs
+SPREAD = 0.35  # the power of what a leg uses against the one that uses most
 
 
 def begin(
@@ -57,14 +54,13 @@ def read_rates(
 
 
 def settle(curve: Curve, measures: Sequence[Measure]) -> Curve:
-    """The curve as slow as it must be, its legs evened out, and no farther from its arcs than it may."""
-    curve = _hold_back(curve, measures)
+    """The curve as slow as it must be, its legs evened out."""
     use = find_use(curve, measures)
     best = curve.stretched(use.worst)
     for _ in range(ROUNDS):
         curve = _even_out(curve, use.stretch)
         use = find_use(curve, measures)
-        if not use.excess and curve.total * use.worst < best.total:
+        if curve.total * use.worst < best.total:
             best = curve.stretched(use.worst)
     return best
 
@@ -82,22 +78,6 @@ def _even_out(curve: Curve, stretch: Array) -> Curve:
         curve.rates / at[:, None, None] ** powers,
         curve.duration * factor,
     )
-
-
-def _hold_back(curve: Curve, measures: Sequence[Measure]) -> Curve:
-    """Rates at the nodes reduced until what slowness does not mend is mended: at rest it is on the arcs."""
-    low, high, held = 0.0, 1.0, curve
-    if not find_use(curve, measures).excess:
-        return curve
-    for _ in range(BLENDS):
-        part = (low + high) / 2
-        powers = part ** np.arange(1, curve.smooth + 1)[:, None]
-        tried = make_curve(curve.degree, 1, curve.turn, curve.rates * powers, curve.duration)
-        if find_use(tried, measures).excess:
-            high = part
-        else:
-            low, held = part, tried
-    return held if low else make_curve(curve.degree, 1, curve.turn, curve.rates * 0.0, curve.duration)
 
 
 def _read_spline(
