@@ -8,7 +8,7 @@ import numpy as np
 from timelaw.certificate import Certificate
 from timelaw.motion import QuaternionLaw, Segment
 from timelaw.numerics.array import Array
-from timelaw.report.figures.curves import POINTS_PER_DEGREE
+from timelaw.report.figures.curves import place_points
 
 ACTIVE = 0.999  # of a limit; solvers leave a millionth, what is used to this part is what bounds the law
 
@@ -33,7 +33,7 @@ def trace_parts(
             if row.limit != limit or label != row.label:
                 continue  # another limit, or one of that segment alone
             start, end = segment.start_time + segment.duration * np.array([quantity.start, quantity.end])
-            u = np.linspace(0.0, 1.0, 3 + POINTS_PER_DEGREE * value.degree)
+            u = place_points(value.degree)
             times, values = curves.setdefault(row.label, ([], []))
             times.append(start + u * (end - start))
             values.append((np.abs(value(u)) / row.bound) ** (1 / row.root))
