@@ -85,7 +85,7 @@ def test_splines_of_continuity_4_under_limits_far_apart(tmp_path, degree, interv
     proved(tmp_path, "{orientations: {list: [[1,0,0,0],[.5,.5,.5,.5]]}}", limits, easing, 4)
 
 
-@pytest.mark.parametrize("tiny", [1.0, 0.1, 0.01, 0.002])
+@pytest.mark.parametrize("tiny", [1.0, 0.002])
 @pytest.mark.parametrize(
     ("easing", "continuity", "within"),
     [

@@ -45,7 +45,7 @@ def allowed(order, ends):
 
 @pytest.mark.parametrize("ends", KINDS, ids=str)
 def test_small_sets_by_all_permutations(ends):
-    for seed in range(3):
+    for seed in range(2):
         costs = angles(random_set(seed, 7).quaternions)
         orders = [o for o in permutations(range(7)) if allowed(o, ends)]
         best = min(length(costs, o, ends.closed) for o in orders)

@@ -245,6 +245,7 @@ def test_sets_without_a_tour_by_minimal_legs(spec, message):
     )
 
 
+@pytest.mark.campaign
 def test_counts_of_the_24_cell():
     """SOURCES: 4 848 and 86 784 by table 1; 1 257 984 per node and 15 095 808 on SO(3); 384 with five straight."""
     graph = MinimalLegs(make_lattice("24-cell"))
