@@ -17,6 +17,7 @@ FIRST_RADIUS, LARGEST_RADIUS, LEAST_RADIUS = 0.3, 1.0, 1e-6  # of the trust regi
 GOOD, POOR = 0.7, 0.25  # of the fall that was predicted: the region grows, or shrinks
 FALLEN, PREDICTED = 2e-5, 8e-5  # of the merit: twice less, and the search is over
 CALM = 2  # so many small steps in a row end the search
+WORTH, PATIENCE = 1e-4, 8  # of the least merit: less won in so many steps, and the search is over
 TINY = 1e-300
 
 
@@ -92,6 +93,7 @@ def improve(
     calm, most, steps = 0, 0, 0
     look = plan.look(curve, samples)
     best = plan.keep(None, curve, look)
+    least, idle = look.merit, 0
     while steps < MOST_STEPS:
         steps += 1
         check_interrupted()
@@ -116,7 +118,10 @@ def improve(
             best = plan.keep(best, curve, look)
             radius = _resize(radius, fall / max(hoped, TINY))
             calm = calm + 1 if fall < FALLEN and hoped < PREDICTED else 0
-            if calm == CALM:
+            idle += 1
+            if look.merit < least * (1 - WORTH):
+                least, idle = look.merit, 0
+            if calm == CALM or idle == PATIENCE:
                 break
         elif hoped < FALLEN or radius < LEAST_RADIUS or is_over():
             break
