@@ -13,6 +13,7 @@ from timelaw.through.cones import HEAD, solve_cones
 from timelaw.through.curve import Curve
 from timelaw.through.rows import Rows
 
+NOTHING = 1e-12  # a scaled slope that is rounding
 Entries = tuple[Index, Index, Array]
 
 
@@ -29,8 +30,8 @@ class Aim:
     """What a step makes less: cost · x + ½ |residuals + slopes x|², and times that it keeps.
 
     `residual` (m,) with its `slope` (m, count) sparse; `kept` (e, count) sparse: sums of variables that stay.
-    `soft` are kinds of rows that may be broken at a price: by a slack of each leg, or with `shared` by one
-    for all, which may be negative too.
+    A cost within `gap` of the least is close enough. `soft` are kinds of rows that may be broken at a price:
+    by a slack of each leg, or with `shared` by one for all, which may be negative too.
     """
 
     cost: Array
@@ -40,6 +41,7 @@ class Aim:
     soft: NDArray[np.bool_] | None = None  # (n,) of rows
     price: float | Array = 0.0
     shared: bool = False
+    gap: float | None = None
 
 
 def solve_step(
@@ -77,6 +79,7 @@ def solve_step(
         (positive, zero, norms),
         square,
         last,
+        aim.gap,
     )
     return None if found is None else Step(found[: columns.count] * scales, found[columns.count :])
 
@@ -130,6 +133,6 @@ def _constraints(
 def _spread(at: Index, rows: Rows, own: Index, axis: int, sign: float, scales: Array) -> Entries:
     """Entries of one component's slopes, those of fixed columns left out."""
     columns = rows.columns[own]
-    free = columns >= 0
     value = sign * rows.slope[own, axis] * scales[np.maximum(columns, 0)]
+    free = (columns >= 0) & (np.abs(value) > NOTHING)
     return np.broadcast_to(at[:, None], columns.shape)[free], columns[free], np.asarray(value[free])

@@ -15,6 +15,7 @@ from timelaw.through.search import Look
 
 MOST_OVER = 1.3  # a step may break limits by so much, to be mended by the next
 FINE = 241  # samples for the last stretch
+CLOSE = 1e-7  # of the time, to which a step is solved
 PRICE = 2.0  # of breaking what slowness does not mend, in mean durations of a leg
 
 
@@ -44,7 +45,8 @@ class LeastTime:
         cost = np.zeros(columns.count)
         cost[columns.legs] = 1 / np.mean(curve.duration)
         soft = rows.power == 0
-        return Aim(cost, soft=soft, price=PRICE) if np.any(soft) else Aim(cost)
+        gap = CLOSE * len(curve.duration)
+        return Aim(cost, soft=soft, price=PRICE, gap=gap) if np.any(soft) else Aim(cost, gap=gap)
 
     def predict(self, curve: Curve, tried: Curve, step: Step, columns: Columns) -> float:  # noqa: ARG002
         """The time."""
