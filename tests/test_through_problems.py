@@ -75,7 +75,7 @@ def test_passing_is_quicker_than_stopping():
     ids=["C1", "C3 and snap", "axes", "torque", "wheels", "slow node", "slow leg"],
 )
 def test_under_every_kind_of_limit(more, limits):
-    check(design_text(more, limits=limits, motion="{kind: through, pieces: 1}"))
+    check(design_text(more, limits=limits, motion="through"))
 
 
 def test_stops_and_dwells_cut_the_way():
