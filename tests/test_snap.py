@@ -83,7 +83,7 @@ def test_with_three_bounds_the_symmetric_profile_is_the_double_s(seed):
     assert symmetric_time(angle, bounds) == pytest.approx(double_s_time(angle, *bounds), rel=1e-9)
 
 
-@pytest.mark.parametrize("seed", range(12))
+@pytest.mark.parametrize("seed", range(40))
 def test_the_limit_lies_between_the_double_s_and_the_symmetric_profile(seed):
     rng = np.random.default_rng(seed)
     bounds, angle = random_bounds(rng), float(10 ** rng.uniform(-3, 0.5))

@@ -38,7 +38,8 @@ def snap_times(angle: Array, bounds: tuple[Array, Array, Array, Array]) -> Array
     alone = (PERFECT_SPLINE * theta / ceilings[3]) ** 0.25
     known = np.fmax(plain[limited], alone)
     times = plain.copy()
-    times[limited] = _solve(lambda t: _reach(t / 2, *ceilings) - theta / 2, known)
+    level = _solve_level(*ceilings)
+    times[limited] = _solve(lambda t: _reach(t / 2, level, *ceilings) - theta / 2, known)
     return times
 
 
@@ -85,9 +86,8 @@ def _solve(excess: Callable[[Array], Array], known: Array) -> Array:
     return low
 
 
-def _reach(t: Array, w: Array, a: Array, j: Array, s: Array) -> Array:
-    """An angle (...) beyond which nothing can travel in t (...) from rest."""
-    level = _solve_level(w, a, j, s)
+def _reach(t: Array, level: Array, w: Array, a: Array, j: Array, s: Array) -> Array:
+    """An angle (...) beyond which nothing can travel in t (...) from rest, at `level` levelling off."""
     angle, velocity, acceleration = _rise(np.minimum(t, level), a, j, s)
     ease = np.where(np.isfinite(j), acceleration / j, 0.0)
     rest = np.maximum(t - level, 0.0)
