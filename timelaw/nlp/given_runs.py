@@ -41,9 +41,10 @@ def solve_given(problem: RunProblem) -> Solution:
     if known:
         place = 0 if program.large else len(starts)
         starts.insert(place, (Status.SECOND_START, known.timings))
-    solved = _solve_from_all(program, starts, known) if stays else []
+    first = starts if known else starts[:1]  # where the first one fails, the others mostly do: they come last
+    solved = _solve_from_all(program, first, known) if stays else []
     if stays and not solved and known is None:
-        solved = _solve_from_least(problem, program)
+        solved = _solve_from_least(problem, program) or _solve_from_all(program, starts[1:], None)
     if solved or known:
         best = min([*solved, *([known] if known else [])], key=lambda solution: solution.duration)
         optimal = best.status in (Status.OPTIMAL, Status.SECOND_START)
@@ -111,7 +112,7 @@ def _solve_simplest(problem: RunProblem) -> Solution | None:
     if simple is not None:
         return simple
     on_arcs = replace(program, margin=LEAST_MARGIN)
-    return _solve_from_peak(on_arcs, [start for _, start in starts], [], [])
+    return _solve_from_peak(on_arcs, [start for _, start in starts], [], [], again=False)
 
 
 def solve_from_peak(
@@ -149,8 +150,13 @@ def _solve_from_peak(
     starts: Sequence[Sequence[Timing]],
     factors: list[float],
     failures: list[Verdict],
+    *,
+    again: bool = True,
 ) -> Solution | None:
-    """The best law from there that holds the limits; else None, and in `factors` the part of them it uses."""
+    """The best law from there that holds the limits; else None, and in `factors` the part of them it uses.
+
+    Or from one of the starts, if they are to be tried `again`.
+    """
     from timelaw.nlp.exchange import solve_from
 
     enough = inf if program.large else 1 + SHOWN  # of a large program the factor is not looked for again
@@ -161,7 +167,7 @@ def _solve_from_peak(
     factors.append(used)
     if used > 1 + SHOWN:
         return None
-    found = [solve_from(program, start) for start in (least.timings, *starts)]
+    found = [solve_from(program, start) for start in (least.timings, *(starts if again else ()))]
     solved = [solution for solution in found if solution is not None and holds_limits(program, solution)]
     if solved:
         fastest = min(solved, key=lambda solution: solution.duration)

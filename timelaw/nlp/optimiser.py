@@ -9,7 +9,7 @@ from timelaw.easing.family import Family
 from timelaw.errors import Fault, InfeasibleError
 from timelaw.nlp.all_runs import list_deadlines, solve_together, solve_weighed
 from timelaw.nlp.program import Program, RunProblem
-from timelaw.nlp.single_runs import assign_solutions, solve_distinct, solve_runs
+from timelaw.nlp.single_runs import Solved, assign_solutions, solve_distinct, solve_runs
 from timelaw.nlp.solution import Solution, Timings, sum_durations
 from timelaw.objectives import OBJECTIVES
 from timelaw.problem import Problem
@@ -82,14 +82,15 @@ def _least_within(
     limit, within = sum(run.limit for run in requirements.by_run(route)), kind.allowed_excess(easing)
     families = list(kind.families(easing, problem.nodes.continuity))
     nearest, least_excess = families[0], inf
+    solved: Solved = {}
     if len(families) > 1:
-        families = list(_drop_infeasible(families, route, requirements))
+        families = list(_drop_infeasible(families, route, requirements, solved))
         nearest = families[0]
     for family in families if len(families) > 1 else ():
         runs = list_run_problems(route, requirements, family)
         if family != families[0] and any(Program((run,)).large for run in runs):
             continue
-        solutions, excess = _solve_within(runs, limit * within, progress)
+        solutions, excess = _solve_within(runs, limit * within, progress, solved)
         if solutions:
             return family, assign_solutions(runs, solutions)
         gained = least_excess - excess
@@ -97,11 +98,11 @@ def _least_within(
             nearest, least_excess = family, excess
         if gained < within / 2 and not all(run.elastic for run in runs):
             break
-    return nearest, solve_runs(list_run_problems(route, requirements, nearest), progress)
+    return nearest, solve_runs(list_run_problems(route, requirements, nearest), progress, solved)
 
 
 def _drop_infeasible(
-    families: Sequence[Family], route: Route, requirements: Requirements
+    families: Sequence[Family], route: Route, requirements: Requirements, solved: Solved
 ) -> Sequence[Family]:
     """The families from the first one on that can do what is given.
 
@@ -120,7 +121,7 @@ def _drop_infeasible(
             tried = [middle]
             continue
         try:
-            list(solve_distinct(hard))
+            list(solve_distinct(hard, solved=solved))
         except InfeasibleError:
             if not tried:
                 raise
@@ -137,7 +138,7 @@ def _is_impossible(run: RunProblem) -> bool:
 
 
 def _solve_within(
-    runs: Sequence[RunProblem], allowed: float, progress: Progress | None
+    runs: Sequence[RunProblem], allowed: float, progress: Progress | None, solved: Solved
 ) -> tuple[list[Solution], float]:
     """Solutions of all distinct runs, none where these take more than `allowed` [s] above their limits.
 
@@ -153,7 +154,9 @@ def _solve_within(
     def enough(run: RunProblem) -> float:
         return run.run.limit + (allowed - excess) / count[run.key()]
 
-    for (key, run), solution in zip(distinct.items(), solve_distinct(runs, progress, enough), strict=True):
+    for (key, run), solution in zip(
+        distinct.items(), solve_distinct(runs, progress, enough, solved), strict=True
+    ):
         solutions.append(solution)
         excess += count[key] * (solution.duration - run.run.limit)
         known += count[key] * run.run.limit

@@ -9,21 +9,28 @@ from timelaw.nlp.given_runs import solve_given
 from timelaw.nlp.program import RunProblem
 from timelaw.nlp.solution import Solution, Timings
 from timelaw.progress import Progress
+from timelaw.time_limit import is_late
+
+Solved = dict[RunProblem, Solution]
 
 
-def solve_runs(problems: Sequence[RunProblem], progress: Progress | None = None) -> Timings:
+def solve_runs(
+    problems: Sequence[RunProblem], progress: Progress | None = None, solved: Solved | None = None
+) -> Timings:
     """Least-time solutions of all runs."""
-    return assign_solutions(problems, list(solve_distinct(problems, progress)))
+    return assign_solutions(problems, list(solve_distinct(problems, progress, solved=solved)))
 
 
 def solve_distinct(
     problems: Sequence[RunProblem],
     progress: Progress | None = None,
     enough: Callable[[RunProblem], float] = lambda _: inf,
+    solved: Solved | None = None,
 ) -> Iterator[Solution]:
     """Solutions of the distinct runs; `progress` hears of those solved, and how many there are.
 
-    Of a run that takes more than `enough` [s], asked for as its turn comes, no better one is looked for.
+    Of a run that takes more than `enough` [s], asked for as its turn comes, no better one is looked for. What
+    is `solved` is not solved again; what is found joins it.
 
     Raises:
         InfeasibleError: a run with given times or rates has no solution; how many were not tried is told.
@@ -32,13 +39,18 @@ def solve_distinct(
     for index, problem in enumerate(distinct):
         if progress is not None:
             progress("solving distinct runs", index, len(distinct))
+        found = (solved or {}).get(problem)
         try:
-            yield solve_run(problem, enough(problem))
+            most = enough(problem)
+            found = found or solve_run(problem, most)
         except InfeasibleError as error:
             untried = sum(not other.elastic for other in distinct[index + 1 :])
             what = "run" if untried == 1 else "runs"
             more = [Fault(f"not tried: {untried} more {what} with given durations or rates")]
             raise InfeasibleError(*error.faults, *(more if untried else [])) from None
+        if solved is not None and (not problem.elastic or found.duration <= most) and not is_late():
+            solved[problem] = found
+        yield found
 
 
 def assign_solutions(problems: Sequence[RunProblem], solutions: Sequence[Solution]) -> Timings:
