@@ -1,8 +1,8 @@
 """The tables of motions through the nodes: `python -m timelaw.reproduce.through_tables PAGE [--sets N]`.
 
 Designed anew: the lattices under three sets of limits with one piece a leg and with two, bounds on leaving
-the arcs, what the order of a tour is worth, and N random sets. The tables between their marks are replaced;
-`--only large` prints the row of one set of a thousand, which takes a quarter of an hour.
+the arcs, what the order of a tour is worth, N random sets, and one of a thousand orientations. The tables
+between their marks are replaced.
 """
 
 import json
@@ -35,7 +35,7 @@ ROUTES = {
     "600-cell, shortest": ("600-cell", "shortest"),
     "120-cell, shortest": ("120-cell", "shortest"),
 }
-PIECES = {"24-cell": (1, 2, 3), "600-cell": (1, 2), "120-cell": (1,)}
+PIECES = {"24-cell": (1, 2, 3), "600-cell": (1, 2), "120-cell": (1, 2)}
 DEVIATIONS = (None, 10, 5, 2, 1)  # deg
 ORDERS = {
     "24-cell": ("paper", "shortest", "least-turning", "fewest-stops"),
@@ -168,8 +168,8 @@ def main(arguments: Sequence[str]) -> None:
             "sets",
             format_markdown(SETS, list(list_sets(given.sets, given.seed, given.processes))),
         )
-    if given.only == "large":
-        print(format_markdown(SETS, list(list_large_set(given.seed))))
+    if given.only in (None, "large"):
+        _replace(given.page, "large", format_markdown(SETS, list(list_large_set(given.seed))))
 
 
 def _replace(page: Path, mark: str, table: str) -> None:
