@@ -5,7 +5,7 @@ The body's origin may move with it, along P/|Q|², P a polynomial too.
 
 from collections import defaultdict
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import chain, pairwise
 from math import fsum
@@ -18,7 +18,7 @@ from timelaw.limits import Bounds, Limit
 from timelaw.limits.bounds import read_bounds
 from timelaw.limits.formula import Vector
 from timelaw.limits.registry import list_formula_rows
-from timelaw.motion.deviation import DEVIATION, list_deviations
+from timelaw.motion.deviation import DEVIATION, DeviationRow, list_deviations
 from timelaw.motion.moving import Moving
 from timelaw.motion.origin_curve import OriginCurve, derive_origins
 from timelaw.motion.quaternion_curve import QuaternionCurve, stack_curves
@@ -153,7 +153,13 @@ class Rational(Moving):
 
     def list_deviations(self, bound: float = np.pi) -> Iterator[Quantity]:
         """The angle [rad] of the body to the arc from `start` to `end`, part by part."""
-        yield from list_deviations(self.start, self.end, self.pieces, self.breaks.tolist(), bound)
+        row = DeviationRow(bound)
+        yield from (replace(part, row=row) for part in self._deviations)
+
+    @cached_property
+    def _deviations(self) -> tuple[Quantity, ...]:
+        """Without a bound: proof, report and pictures ask for them, and cutting takes time."""
+        return tuple(list_deviations(self.start, self.end, self.pieces, self.breaks.tolist(), np.pi))
 
     def unit_vectors(self) -> tuple[Array, ...]:
         """Both orientations."""

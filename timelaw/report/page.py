@@ -1,5 +1,6 @@
 """`report.html`: one self-contained page, and the figures it shows as files of their own."""
 
+from collections.abc import Mapping, Sequence
 from html import escape
 from typing import Any
 
@@ -9,26 +10,55 @@ from markupsafe import Markup
 
 from timelaw.certificate.continuity import JUMP_TOLERANCE
 from timelaw.pipeline import Design
-from timelaw.report.figures.registry import draw_figures
-from timelaw.report.section import Facts, Section
+from timelaw.report.figures.drawing import Drawing
+from timelaw.report.figures.drawn import Scene
+from timelaw.report.figures.embed import describe_picture, inline_picture
+from timelaw.report.figures.registry import FIGURES, draw_figures
+from timelaw.report.section import Facts, Inline, Section
 from timelaw.report.sections import SECTIONS
 from timelaw.units import convert, name_unit
 
 
 def render_report(design: Design, digest: str) -> dict[str, str]:
     """Texts by file name: report.html and its figures. `digest` is that of the problem file."""
-    pictures = draw_figures(design)
-    facts = Facts(
-        design, digest, {name: Markup(text[text.index("<svg") :]) for name, text in pictures.items()}
-    )
+    scene = Scene(design)
+    drawings = draw_figures(scene, FIGURES)
+    facts = Facts(design, digest, scene, embed_pictures(drawings))
     environment = make_environment()
     sections = [
-        {"title": section.title, "body": _render_body(environment, section, facts)}
+        (section.title, section.key, _render_body(environment, section, facts))
         for section in SECTIONS
         if section.applies(design)
     ]
-    page = environment.get_template("report.html").render(problem=design.problem, sections=sections)
-    return {"report.html": page, **pictures}
+    page = render_page(environment, f"{design.problem.name}: timelaw report", sections)
+    return {"report.html": page, **list_picture_files(drawings)}
+
+
+def render_page(environment: Environment, title: str, sections: Sequence[tuple[str, str, Markup]]) -> str:
+    """The whole page of sections: title, key, body; the contents follow the first, which has no title."""
+    listed = [{"title": name, "key": key, "body": body} for name, key, body in sections]
+    return environment.get_template("report.html").render(title=title, sections=listed)
+
+
+def embed_pictures(drawings: Mapping[str, Drawing]) -> dict[str, Inline]:
+    """Pictures for the page, by file name."""
+    found = {}
+    for name, drawing in drawings.items():
+        sizes = {}
+        for size, svg in (("wide", drawing.wide), ("narrow", drawing.narrow)):
+            key = f"{name.removesuffix('.svg')}-{size}"
+            told = describe_picture(svg, key, drawing.title, drawing.description)
+            sizes[size] = Markup(inline_picture(told, key))
+        found[name] = Inline(**sizes)
+    return found
+
+
+def list_picture_files(drawings: Mapping[str, Drawing]) -> dict[str, str]:
+    """Pictures as files of their own, by name."""
+    return {
+        name: describe_picture(drawing.wide, name.removesuffix(".svg"), drawing.title, drawing.description)
+        for name, drawing in drawings.items()
+    }
 
 
 def _render_body(environment: Environment, section: Section, facts: Facts) -> Markup:
@@ -58,11 +88,11 @@ def make_environment() -> Environment:
     environment.filters["deg"] = np.degrees
     environment.filters["vector"] = _vector
     environment.filters["prose"] = _prose
-    environment.filters["shown"] = _shown
+    environment.filters["shown"] = show_quantity
     return environment
 
 
-def _shown(value: float, unit: str) -> str:
+def show_quantity(value: float, unit: str) -> str:
     """A bound or peak with its unit, angles in degrees."""
     return f"{convert(value, unit, degrees=True):.6g} {name_unit(unit, degrees=True)}"
 

@@ -1,9 +1,12 @@
 """The numbers of the comparison: one row per law, one per distinct run."""
 
+from collections import defaultdict
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import inf, isfinite
 from typing import Any
+
+import numpy as np
 
 from timelaw.certificate.effort import measure_effort, measure_torque
 from timelaw.limits import Demand
@@ -96,6 +99,25 @@ def list_run_rows(design: Design) -> list[RunRow]:
         alike = [run for run, i in zip(runs, design.solution.of_run, strict=True) if i == index]
         rows.append(_run_row(len(alike), alike[0].demands, alike[0].limit, solution))
     return rows
+
+
+def join_alike(runs: Sequence[RunRow]) -> list[RunRow]:
+    """Rows that a table shows alike as one, with the most rounds, iterations and rows of any of them."""
+    groups: dict[Any, list[RunRow]] = defaultdict(list)
+    for run in runs:
+        angles = tuple(f"{np.degrees(angle):.6g}" for angle in run.angles)
+        groups[angles, f"{run.duration:.5f}", run.status].append(run)
+    return [
+        replace(
+            alike[0],
+            count=sum(run.count for run in alike),
+            rounds=max(run.rounds for run in alike),
+            iterations=max(run.iterations for run in alike),
+            rows=max(run.rows for run in alike),
+            gap=max(run.gap for run in alike),
+        )
+        for alike in groups.values()
+    ]
 
 
 def _run_row(count: int, demands: Sequence[Demand], least: float, solution: Solution) -> RunRow:

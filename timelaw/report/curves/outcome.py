@@ -5,6 +5,8 @@ from typing import Any
 
 from timelaw.pipeline import Certified
 from timelaw.pipeline_bezier import BezierDesign
+from timelaw.report.headline import Tile, show_difference, show_motion_time
+from timelaw.report.problem_text import CONTINUOUS
 
 
 @dataclass(frozen=True)
@@ -49,6 +51,16 @@ def describe_curves(design: BezierDesign) -> str:
     less = "less" if row.to_quintic <= 1 else "more"
     change = f"{abs(100 * (1 - row.to_quintic)):.1f} % {less} than quintics with a stop at every joint"
     return f"The optimised law takes {row.duration:.6g} s, {change}."
+
+
+def list_curve_tiles(design: BezierDesign) -> list[Tile]:
+    """The gain in time, the time, and how smooth the motion is."""
+    row, law = list_curve_rows(design)[0], design.optimised.law
+    tiles = []
+    if row.to_quintic is not None:
+        tiles.append(show_difference(row.to_quintic, "time against quintics with a stop at every joint"))
+    tiles += [Tile(f"{row.duration:.5g} s", "total time"), *show_motion_time(law)]
+    return [*tiles, Tile(f"C{row.continuity}", f"{CONTINUOUS[row.continuity]} without jumps")]
 
 
 def describe_search(design: BezierDesign) -> list[str]:

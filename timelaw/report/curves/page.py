@@ -9,57 +9,49 @@ from timelaw.certificate.continuity import JUMP_TOLERANCE
 from timelaw.limits.torque import TORQUE_FORMULAS
 from timelaw.pipeline_bezier import BezierDesign
 from timelaw.report.curves.joint_text import describe_joints
-from timelaw.report.curves.outcome import describe_curves, describe_search, list_curve_rows
-from timelaw.report.figures.box import INSTANTS, draw_box
-from timelaw.report.figures.curve_easings import draw_curve_easings
-from timelaw.report.figures.rates import draw_rates
-from timelaw.report.figures.style import STYLE
-from timelaw.report.page import make_environment
-from timelaw.report.section import RATES
+from timelaw.report.curves.outcome import describe_curves, describe_search, list_curve_rows, list_curve_tiles
+from timelaw.report.figures.box import INSTANTS
+from timelaw.report.figures.drawn import Scene
+from timelaw.report.figures.registry import CURVE_FIGURES, draw_figures
+from timelaw.report.page import embed_pictures, list_picture_files, make_environment, render_page
+from timelaw.report.problem_text import CONTINUOUS, describe_problem
+from timelaw.report.section import RATES, Inline
 from timelaw.report.sections.continuity import largest_jumps
 from timelaw.report.sections.provenance import list_versions
+from timelaw.report.sections.rates import describe_pictures
 
 SECTIONS = (
     ("", "curves/verdict.html"),
+    ("The problem", "curves/problem.html"),
     ("Laws side by side", "curves/laws.html"),
     ("The motion", "curves/motion.html"),
     ("Rates over time", "sections/rates.html"),
-    ("Limits", "sections/limits.html"),
+    ("Where the limits bind", "sections/limits.html"),
     ("Joints of the curves", "curves/joints.html"),
     ("Easings and durations", "curves/easings.html"),
-    ("Continuity at the nodes", "sections/continuity.html"),
+    ("Nodes and continuity", "sections/continuity.html"),
     ("The way of the origin", "curves/translation.html"),
     ("How it was solved", "curves/solved.html"),
-    ("Checks of the geometry", "sections/geometry.html"),
+    ("What is proved, and what is not promised", "sections/promise.html"),
     ("Provenance", "curves/provenance.html"),
 )
 
 
 def render_curve_report(design: BezierDesign, digest: str) -> dict[str, str]:
     """Texts by file name: report.html and its figures. `digest` is that of the problem file."""
-    pictures = draw_pictures(design)
-    inline = {name: Markup(text[text.index("<svg") :]) for name, text in pictures.items()}
-    environment, context = make_environment(), _context(design, digest, inline)
+    drawings = draw_figures(Scene(design), CURVE_FIGURES)
+    environment = make_environment()
+    context = _context(design, digest, embed_pictures(drawings))
     sections = []
     for title, template in SECTIONS:
-        body = Markup(environment.get_template(template).render(**context)).strip()
+        body = Markup(environment.get_template(template).render(**context).strip())
         if body:
-            sections.append({"title": title, "body": body})
-    page = environment.get_template("report.html").render(problem=design.problem, sections=sections)
-    return {"report.html": page, **pictures}
+            sections.append((title, template.removesuffix(".html").split("/")[-1], body))
+    page = render_page(environment, f"{design.problem.name}: timelaw report", sections)
+    return {"report.html": page, **list_picture_files(drawings)}
 
 
-def draw_pictures(design: BezierDesign) -> dict[str, str]:
-    """SVG texts by file name."""
-    import matplotlib as mpl
-
-    law = design.optimised.law
-    with mpl.rc_context(STYLE):
-        found = {"rates.svg": draw_rates(design), "easings.svg": draw_curve_easings(design)}
-    return found | ({"motion.svg": draw_box(law)} if law.shape is not None else {})
-
-
-def _context(design: BezierDesign, digest: str, pictures: dict[str, Markup]) -> dict[str, Any]:
+def _context(design: BezierDesign, digest: str, pictures: dict[str, Inline]) -> dict[str, Any]:
     """What all templates draw from."""
     certificate, laws = design.optimised.certificate, design.laws
     body = design.problem.rigid_body()
@@ -73,6 +65,10 @@ def _context(design: BezierDesign, digest: str, pictures: dict[str, Markup]) -> 
         "rows": list_curve_rows(design),
         "limits": [check.limit for check in certificate.limits],
         "outcome": describe_curves(design),
+        "tiles": list_curve_tiles(design),
+        "continuous": CONTINUOUS[certificate.order],
+        "asked": describe_problem(design.problem),
+        **describe_pictures(design.optimised),
         "joint_lines": describe_joints(design.joints, design.passed, design.problem),
         "joints": list(zip(design.joints, design.passed, strict=True)),
         "search": describe_search(design),

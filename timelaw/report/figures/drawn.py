@@ -1,8 +1,24 @@
-"""What pictures of rates ask of a design, whatever its route: its law, and those beside it."""
+"""What pictures ask of a design, whatever its route: its law, and those beside it."""
 
-from typing import Protocol
+from functools import cached_property
+from typing import Any, Protocol
 
+from timelaw.motion import QuaternionLaw, Segment
+from timelaw.numerics.function import enclose_peaks
 from timelaw.pipeline import Certified
+from timelaw.report.figures.channels import Channel, list_channels
+from timelaw.report.figures.samples import Samples, sample_motion
+from timelaw.report.figures.style import DOUBLE_S, EVERY_STOP, QUINTIC, STOPPING
+from timelaw.report.figures.window import choose_window, cut_alike
+from timelaw.time_law import baselines
+from timelaw.time_law.time_law import STOPPING_LAW
+
+COLOURS = {
+    baselines.QUINTIC: QUINTIC,
+    baselines.DOUBLE_S: DOUBLE_S,
+    baselines.EVERY_STOP: EVERY_STOP,
+    STOPPING_LAW: STOPPING,
+}
 
 
 class Drawn(Protocol):
@@ -17,3 +33,56 @@ class Drawn(Protocol):
     def baselines(self) -> tuple[Certified, ...]:
         """Laws beside it."""
         ...
+
+
+class Scene:
+    """A design to be drawn, on canvases of several sizes: what all of them need is computed once."""
+
+    def __init__(self, design: Any) -> None:
+        self.design = design
+        self.optimised: Certified = design.optimised
+        self.baselines: tuple[Certified, ...] = design.baselines
+        self.law = self.optimised.law
+
+    @cached_property
+    def channels(self) -> list[Channel]:
+        """What is drawn over time."""
+        return list_channels(self.law)
+
+    @cached_property
+    def deviations(self) -> list[float]:
+        """The largest angle [rad], as it is proved, by which each segment leaves its arc."""
+        return measure_deviations(self.law)
+
+    @cached_property
+    def window(self) -> tuple[Segment, ...]:
+        """The segments that are drawn in full."""
+        return choose_window(self.law, self.optimised.certificate)
+
+    @cached_property
+    def whole(self) -> Samples:
+        """All of the law."""
+        return sample_motion(self.law, self.law.segments, self.optimised.certificate)
+
+    @cached_property
+    def part(self) -> Samples:
+        """What is drawn in full of it."""
+        return sample_motion(self.law, self.window, self.optimised.certificate)
+
+    @cached_property
+    def beside(self) -> list[tuple[str, Samples]]:
+        """The same legs of the baselines, by name."""
+        cut = [(entry, cut_alike(self.law, self.window, entry.law)) for entry in self.baselines]
+        return [(entry.name, sample_motion(entry.law, part)) for entry, part in cut]
+
+
+def measure_deviations(law: QuaternionLaw) -> list[float]:
+    """The largest angle [rad], as it is proved, by which each segment leaves its arc."""
+    parts = [list(segment.list_deviations()) for segment in law.segments]
+    tops = iter(enclose_peaks([part.value for own in parts for part in own]))
+    return [max((part.row.size(next(tops).upper) for part in own), default=0.0) for own in parts]
+
+
+def choose_colour(name: str) -> str:
+    """Of a law beside the optimised one, the same in all pictures."""
+    return COLOURS.get(name, STOPPING)

@@ -4,9 +4,9 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from timelaw.objectives import EFFORTS
-from timelaw.report.figures.style import LIMIT, OPTIMISED, STYLE, render_svg
+from timelaw.report.figures.style import AXIS_COLOURS, OPTIMISED, STYLE, render_svg
 
-COLOURS = (OPTIMISED, "#b07400", "#1b6e3c", "#7a3f9d", "#5c5c61", LIMIT)
+COLOURS = (OPTIMISED, "#b07400", AXIS_COLOURS[2], "#7a3f9d", "#5c5c61", AXIS_COLOURS[0])
 
 
 def draw_front(name: str, effort: str, groups: Mapping[str, Sequence[tuple[float, float]]]) -> str:

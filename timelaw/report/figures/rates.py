@@ -1,133 +1,212 @@
-"""Rates over time, and the used parts of torque and momentum, with limits, nodes and dwells."""
+"""Rates, torque and momentum over time, with limits, nodes and rest: all of it, or its tightest part."""
 
-from math import inf
+from collections.abc import Sequence
+from math import inf, isfinite
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from timelaw.limits import LIMITS
-from timelaw.motion import QuaternionLaw
-from timelaw.motion.segment import RATES
-from timelaw.report.active_limits import trace_parts
-from timelaw.report.figures.curves import trace_rate
-from timelaw.report.figures.drawn import Drawn
+from timelaw.motion import QuaternionLaw, Segment
+from timelaw.numerics.array import Array
+from timelaw.report.figures.channels import Channel, Trace, trace_channel
+from timelaw.report.figures.drawn import Scene, choose_colour
 from timelaw.report.figures.style import (
     AXIS_COLOURS,
+    DASHED,
     DWELL,
     LIMIT,
-    MAX_LABELS,
+    MUTED,
     NODE,
     OPTIMISED,
-    QUINTIC,
-    SIZES,
-    UNITS,
-    describe_excerpt,
-    list_first_legs,
-    render_svg,
+    SIZE,
+    Canvas,
+    set_ticks,
+    stack_panels,
+    write_title,
 )
-from timelaw.time_law import baselines
+from timelaw.report.figures.time_scale import TimeScale, choose_labels
+from timelaw.report.figures.window import name_window
 
-ALWAYS = (1, 2, 3)  # orders that have a panel, limited or not
-
-
-def draw_rates(design: Drawn) -> str:
-    """|ω|, |α|, |jerk| over time, the optimised law over the grey quintic, with limits and nodes."""
-    from matplotlib.figure import Figure
-
-    law = design.optimised.law
-    beyond = (name for name, kind in LIMITS.items() if kind.needs_inertia or kind.needs_translation)
-    extra = [name for name in beyond if name in law.limits]
-    orders = [order for order, name in RATES.items() if order in ALWAYS or name in law.limits]
-    panels = len(orders) + len(extra)
-    figure = Figure(figsize=(9.4, 1.0 + 1.8 * panels), layout="constrained")
-    axes: Any = figure.subplots(panels, 1, sharex=True)
-    grey = next((b.law for b in design.baselines if b.name == baselines.QUINTIC), None)
-    for order, ax in zip(orders, axes, strict=False):
-        ax.set_ylabel(f"{SIZES[order]}  [{UNITS[order]}]")
-        if grey is not None:
-            _curve(ax, grey, order, QUINTIC, 1.1, f"quintic, {grey.duration:.6g} s")
-        _curve(ax, law, order, OPTIMISED, 1.5, f"optimised, {law.duration:.6g} s")
-        _limit(ax, design, order)
-        _nodes(ax, design)
-        ax.set_ylim(bottom=0)
-        ax.margins(x=0.005)
-    for limit, ax in zip(extra, axes[len(orders) :], strict=True):
-        _parts(ax, law, limit)
-        _nodes(ax, design)
-    end = max(list_first_legs(curve)[-1].end_time for curve in (law, grey or law))
-    axes[0].set_xlim(-0.005 * end, 1.005 * end)
-    axes[-1].set_xlabel("time [s]" + describe_excerpt(law))
-    axes[0].legend(loc="lower left", bbox_to_anchor=(0, 1.12), ncols=3, borderaxespad=0)
-    _labels(axes[0], design)
-    return render_svg(figure, "rates")
+HEIGHT = 1.25  # inch, of a panel
+ROOM = 1.08  # of the largest that is drawn
+FAR = 1.6  # times the law's own peak; a limit or baseline beyond is not drawn, or cut
+LONGER = 1.45  # times the law; a baseline that takes longer is cut there
+WIDE_LEGEND, NARROW_LEGEND = 4, 2  # laws in a line
 
 
-def _parts(ax: Any, law: QuaternionLaw, limit: str) -> None:
-    """The part of a limit that is used over time, axis by axis where it is given so."""
-    ax.set_ylabel(f"{limit.replace('_', ' ')} / limit")
-    curves = trace_parts(law, list_first_legs(law), limit)
-    for colour, (label, (times, values)) in zip(AXIS_COLOURS, curves.items(), strict=False):
-        ax.plot(times, values, color=colour if len(curves) > 1 else OPTIMISED, linewidth=1.3, label=label)
-    ax.axhline(1.0, color=LIMIT, linewidth=1, linestyle=(0, (5, 3)))
-    ax.set_ylim(0, 1.35)
-    if len(curves) > 1:
-        ax.legend(loc="upper right", ncols=3, fontsize=7.5, borderaxespad=0.1)
+def draw_rates(scene: Scene, canvas: Canvas) -> Any:
+    """A panel for each quantity: the law over its baselines, in the scale of the law."""
+    law, window, channels = scene.law, scene.window, scene.channels
+    lines = -(-(1 + len(scene.baselines)) // (WIDE_LEGEND if canvas.wide else NARROW_LEGEND))
+    figure, axes = stack_panels(canvas, [HEIGHT] * len(channels), top=0.28 + 0.2 * lines)
+    scale = TimeScale(window)
+    longest = [min(TimeScale(part.segments).end, LONGER * scale.end) for _, part in scene.beside]
+    end = max([scale.end, *longest])
+    for channel, ax in zip(channels, axes, strict=True):
+        trace = trace_channel(channel, scene.part)
+        top = find_top(law, trace)
+        for name, part in scene.beside:
+            _draw_baseline(ax, trace_channel(channel, part), choose_colour(name), end)
+        draw_trace(ax, trace, scale)
+        draw_bounds(ax, law, trace, scale, top)
+        _mark_nodes(ax, scene, window, scale)
+        set_range(ax, trace, top)
+        ax.set_xlim(0, end)
+        ax.set_xticks([])
+        write_title(ax, channel.titles, say_peak(scene, channel), "xyz" if channel.signed else "")
+    scale.mark(axes[-1], canvas, end)
+    axes[-1].set_xlabel("time, s", fontsize=SIZE)
+    _label_nodes(axes[0], window, scale, end, canvas)
+    named = name_window(law, window)
+    _legend(figure, scene, canvas, named)
+    return figure
 
 
-def _curve(ax: Any, law: QuaternionLaw, order: int, colour: str, width: float, label: str) -> None:
-    times, values = trace_rate(list_first_legs(law), order)
-    ax.plot(times, np.degrees(values), color=colour, linewidth=width, label=label)
+def find_top(law: QuaternionLaw, trace: Trace) -> float:
+    """The largest that the panel has to hold: of the law, and of its limits where they are not far."""
+    peak = trace.largest()
+    near = [b for b in _list_bounds(law, trace) if b <= FAR * peak or not peak]
+    return max([peak, *near]) or 1.0
 
 
-def _limit(ax: Any, design: Drawn, order: int) -> None:
-    """The bound on |k-th rate| leg by leg, one line through where it is the same for all."""
-    style = {"color": LIMIT, "linewidth": 1, "linestyle": (0, (5, 3))}
-    law = design.optimised.law
-    arcs = [s for s in list_first_legs(law) if s.moves]
-    bounds = [
-        min((quantity.row.rate_bound(order) for _, quantity in labelled), default=inf)
-        for labelled in law.list_quantities(arcs)
-    ]
-    if len(set(bounds)) == 1 and bounds[0] < inf:
-        ax.axhline(np.degrees(bounds[0]), label="limit", **style)
+def _list_bounds(law: QuaternionLaw, trace: Trace) -> list[float]:
+    """The bounds that are shown, on the norm and on components."""
+    found = [trace.channel.bound_on(law, segment) for segment in trace.segments if segment.moves]
+    return [float(b) for norm, axes in found for b in (norm, *axes) if isfinite(b)]
+
+
+def _draw_baseline(ax: Any, trace: Trace, colour: str, end: float) -> None:
+    """Its norm, from where its first leg begins, or its components where these are what is limited."""
+    places = TimeScale(trace.segments)(trace.times)
+    here = places <= end
+    curves = trace.values.T if trace.channel.signed else [trace.norm]
+    for values in curves:
+        ax.plot(places[here], values[here], color=colour, linewidth=0.7, alpha=0.7)
+
+
+def draw_trace(ax: Any, trace: Trace, scale: TimeScale) -> None:
+    """The norm, or its components with the norm thin beside them."""
+    places = scale(trace.times)
+    if not trace.channel.signed:
+        ax.plot(places, trace.norm, color=OPTIMISED, linewidth=1.5)
         return
-    label = "limit"
-    for arc, bound in zip(arcs, bounds, strict=True):
-        if bound < inf:
-            ax.plot([arc.start_time, arc.end_time], np.degrees([bound, bound]), label=label, **style)
-            label = "_"
+    ax.plot(places, trace.norm, color=MUTED, linewidth=0.7, linestyle=(0, (1, 1.5)))
+    for colour, values in zip(AXIS_COLOURS, trace.values.T, strict=True):
+        ax.plot(places, values, color=colour, linewidth=1.3)
 
 
-def _nodes(ax: Any, design: Drawn) -> None:
-    """Lines at the nodes, dotted where the body goes straight on; dwells are shaded."""
-    for segment in list_first_legs(design.optimised.law):
+def draw_bounds(ax: Any, law: QuaternionLaw, trace: Trace, scale: TimeScale, top: float) -> None:
+    """The limits leg by leg, on both sides where they are on components; a far one in words."""
+    found = [trace.channel.bound_on(law, segment) for segment in trace.segments]
+    edges = scale(scale.times)
+    norms = np.array([norm if s.moves else inf for (norm, _), s in zip(found, trace.segments, strict=True)])
+    axes = np.array(
+        [axis if s.moves else np.full(3, inf) for (_, axis), s in zip(found, trace.segments, strict=True)]
+    )
+    alike = bool(np.all(axes == axes[:, :1]))
+    lines = [(norms, LIMIT), *((axes[:, i], LIMIT if alike else c) for i, c in enumerate(AXIS_COLOURS))]
+    for bounds, colour in lines[: 2 if alike else 4]:
+        shown = bounds <= top * (1 + 1e-9)
+        for first, last in _list_stretches(bounds, shown):
+            for sign in (1, -1) if trace.channel.signed else (1,):
+                level = sign * bounds[first]
+                ax.plot(
+                    [edges[first], edges[last]], [level, level], color=colour, linewidth=0.9, linestyle=DASHED
+                )
+
+
+def _list_stretches(bounds: Array, shown: NDArray[np.bool_]) -> list[tuple[int, int]]:
+    """Ranges of segments that have the same bound; rests between are drawn through."""
+    found: list[list[int]] = []
+    for index in np.flatnonzero(shown).tolist():
+        if (
+            found
+            and bounds[found[-1][0]] == bounds[index]
+            and not np.any(np.isfinite(bounds[found[-1][1] : index]) & ~shown[found[-1][1] : index])
+        ):
+            found[-1][1] = index + 1
+        else:
+            found.append([index, index + 1])
+    return [(first, last) for first, last in found]
+
+
+def set_range(ax: Any, trace: Trace, top: float) -> None:
+    """From zero, or to both sides, so far as the law and its limits go."""
+    from matplotlib.ticker import MaxNLocator
+
+    ax.set_ylim(-ROOM * top if trace.channel.signed else 0.0, ROOM * top)
+    ax.yaxis.set_major_locator(MaxNLocator(4, symmetric=trace.channel.signed))
+    set_ticks(ax)
+    if trace.channel.signed:
+        ax.axhline(0, color=NODE, linewidth=0.6, zorder=0)
+
+
+def say_peak(scene: Scene, channel: Channel) -> str:
+    """The proved peak beside its limit: the one that is used most."""
+    checks = [
+        check for check in scene.optimised.certificate.limits if check.limit.split(" ")[0] == channel.name
+    ]
+    if not checks:
+        return "no limit"
+    check = max(checks, key=lambda c: c.ratio)
+    axis = check.limit.removeprefix(channel.name).strip()
+    shown = f"{axis}: " if axis else ""
+    return f"{shown}at most {channel.scale * check.upper:.5g} of {channel.scale * check.bound:.5g}"
+
+
+def _mark_nodes(ax: Any, scene: Scene, window: Sequence[Segment], scale: TimeScale) -> None:
+    """Lines at the nodes, dotted where the body goes on; rest is shaded."""
+    for segment in window:
         if not segment.moves:
-            ax.axvspan(segment.start_time, segment.end_time, color=DWELL, linewidth=0, zorder=-1)
-    for node in design.optimised.certificate.continuity.nodes[
-        : len(list_first_legs(design.optimised.law)) + 1
-    ]:
-        style = ":" if node.passed else "-"
-        ax.axvline(node.time, color=NODE, linewidth=0.7, linestyle=style, zorder=0)
+            ax.axvspan(*scale([segment.start_time, segment.end_time]), color=DWELL, linewidth=0, zorder=-1)
+    for node in scene.optimised.certificate.continuity.nodes:
+        if window[0].start_time <= node.time <= window[-1].end_time:
+            style = (0, (1, 2)) if node.passed else "-"
+            ax.axvline(scale(node.time), color=NODE, linewidth=0.7, linestyle=style, zorder=0)
 
 
-def _labels(ax: Any, design: Drawn) -> None:
-    """Node labels above the first panel, a dwell's once; a dot marks the nodes passed at speed."""
-    last = None
-    for node in design.optimised.certificate.continuity.nodes[
-        : len(list_first_legs(design.optimised.law)) + 1
-    ][:MAX_LABELS]:
-        if node.label == last:
-            continue
-        last = node.label
-        text = f"·{node.label}·" if node.passed else node.label
+def _label_nodes(ax: Any, window: Sequence[Segment], scale: TimeScale, end: float, canvas: Canvas) -> None:
+    """Labels of the nodes on a line above the first panel, as many as do not touch."""
+    legs = [segment for segment in window if segment.moves]
+    labels = [legs[0].origin, *(leg.target for leg in legs)]
+    places = scale([legs[0].start_time, *(leg.end_time for leg in legs)])
+    for index in choose_labels(labels, places, end, canvas):
         ax.annotate(
-            text,
-            (node.time, 1),
+            labels[index],
+            (places[index], 1),
             xycoords=("data", "axes fraction"),
-            xytext=(0, 3),
+            xytext=(0, 17),
             textcoords="offset points",
             ha="center",
-            fontsize=7.5,
-            color="#555555",
+            fontsize=SIZE,
+            color=MUTED,
             parse_math=False,
         )
+
+
+def _legend(figure: Any, scene: Scene, canvas: Canvas, named: str) -> None:
+    """Which line is which law, in one line, on a phone in two."""
+    from matplotlib.lines import Line2D
+
+    entries = [
+        (scene.optimised, OPTIMISED, 1.6),
+        *((b, choose_colour(b.name), 0.9) for b in scene.baselines),
+    ]
+    handles = [Line2D([], [], color=colour, linewidth=width) for _, colour, width in entries]
+    texts = [f"{entry.name} {entry.law.duration:.5g} s" for entry, _, _ in entries]
+    legend = figure.legend(
+        handles,
+        texts,
+        loc="upper left",
+        bbox_to_anchor=(0.1 / canvas.width, 1),
+        ncols=WIDE_LEGEND if canvas.wide else NARROW_LEGEND,
+        fontsize=SIZE,
+        handlelength=1.4,
+        columnspacing=1.2,
+        borderaxespad=0.2,
+    )
+    for text in legend.get_texts():
+        text.set_parse_math(False)
+    if named:
+        figure.axes[-1].set_xlabel(f"time, s ({named})", fontsize=SIZE)

@@ -5,12 +5,12 @@ from typing import Any
 import numpy as np
 
 from timelaw.numerics.quaternion import rotation_matrix
-from timelaw.report.figures.style import STYLE, render_svg
+from timelaw.report.figures.style import AXIS_COLOURS, GRID_LINE, STYLE, render_svg
 from timelaw.route import Route
 
-AXES = (("x", "#b3261e"), ("y", "#0b5fa5"), ("z", "#1b6e3c"))  # the colours of the printed paper
+AXES = tuple(zip("xyz", AXIS_COLOURS, strict=True))
 POINTS_PER_LEG = 25
-GRID: dict[str, Any] = {"color": "#d5d5d8", "linewidth": 0.4, "zorder": 0}
+GRID: dict[str, Any] = {"color": GRID_LINE, "linewidth": 0.4, "zorder": 0}
 VIEW = {"elev": 22.0, "azim": 35.0}
 
 

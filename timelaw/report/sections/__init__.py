@@ -6,6 +6,7 @@ from timelaw.report.section import Section
 
 ORDER = (
     "verdict",
+    "problem",
     "laws",
     "rates",
     "limits",
@@ -13,7 +14,7 @@ ORDER = (
     "easings",
     "continuity",
     "solved",
-    "geometry",
+    "promise",
     "provenance",
 )
 SECTIONS: tuple[Section, ...] = tuple(import_module(f"{__name__}.{name}").SECTION for name in ORDER)

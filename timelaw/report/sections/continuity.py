@@ -27,4 +27,4 @@ def largest_jumps(nodes: tuple[NodeReport, ...]) -> dict[str, float]:
     return {name: max(node.jump[name] for node in nodes) for name, _, _ in RATES}
 
 
-SECTION = Section("Continuity at the nodes", "continuity.html", _context)
+SECTION = Section("Nodes and continuity", "continuity.html", _context)

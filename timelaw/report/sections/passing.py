@@ -4,7 +4,6 @@ from typing import Any
 
 import numpy as np
 
-from timelaw.numerics.function import enclose_peaks
 from timelaw.report.active_limits import list_active
 from timelaw.report.section import Facts, Section
 
@@ -14,12 +13,10 @@ def _context(facts: Facts) -> dict[str, Any]:
     law = design.optimised.law
     active = list_active(design.optimised.certificate)
     rows = []
-    for index, (segment, edges) in enumerate(zip(law.segments, law.edges, strict=True)):
+    angles = facts.scene.deviations
+    for index, (segment, edges, angle) in enumerate(zip(law.segments, law.edges, angles, strict=True)):
         if not segment.moves:
             continue
-        parts = list(segment.list_deviations())
-        tops = enclose_peaks([part.value for part in parts])
-        angle = max((part.row.size(top.upper) for part, top in zip(parts, tops, strict=True)), default=0.0)
         speed = float(np.linalg.norm(edges.sides[0, -1]))
         rows.append((segment, angle, speed, active[index]))
     return {"rows": rows, "passages": design.through.passages if design.through else ()}

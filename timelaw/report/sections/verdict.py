@@ -1,22 +1,22 @@
-"""What came of it, in three sentences: certified or not, how fast, how smooth."""
+"""What came of it at a glance: certified or not, what was gained, and how smooth it is."""
 
 from typing import Any
 
 from timelaw.pipeline import Design
+from timelaw.report.headline import list_tiles
 from timelaw.report.outcome import describe_outcome
+from timelaw.report.problem_text import CONTINUOUS
 from timelaw.report.section import Facts, Section
-from timelaw.report.tour_text import describe_moves, describe_order
 
 
 def _context(facts: Facts) -> dict[str, Any]:
     design = facts.design
+    best = facts.rows[0]
     return {
-        "certificate_lines": [
-            *describe_order(design.tour),
-            *describe_moves(design.orientations, design.route),
-        ],
         "passed": _count_passed(design),
-        "best": facts.rows[0],
+        "best": best,
+        "tiles": list_tiles(design, facts.rows),
+        "continuous": CONTINUOUS[best.continuity],
         "outcome": describe_outcome(design, facts.rows),
     }
 
