@@ -23,6 +23,14 @@ SYMBOLS = {
     "linear_velocity": "v",
     "linear_acceleration": "a",
 }
+RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+PLAIN = (-2, 3)  # powers of ten between which numbers are written as they are
+
+
+def find_power(top: float) -> int:
+    """The power of ten, a multiple of three, in which the numbers of an axis up to `top` are short."""
+    power = int(np.floor(np.log10(top))) if top > 0 else 0
+    return 0 if PLAIN[0] <= power <= PLAIN[1] else 3 * (power // 3)
 
 
 @dataclass(frozen=True)
@@ -48,12 +56,16 @@ class Channel:
         """What it is called."""
         return f"angular {self.name}" if self.name in ORDERS else self.name.replace("_", " ")
 
-    @property
-    def titles(self) -> tuple[str, str]:
-        """Its name, symbol and unit, and without the name; the letters of its axes follow."""
-        symbol = SYMBOLS[self.name]
+    def name_panel(self, top: float) -> tuple[str, str]:
+        """Its name, symbol and unit, and without the name; the letters of its axes follow.
+
+        `top` is the largest number on the panel's axis, which may be written by powers of ten.
+        """
+        power = find_power(top)
+        factor = f"10{str(power).translate(RAISED)} " if power else ""
         way = "along" if LIMITS[self.name].needs_translation else "about"
-        shown = f"{symbol}, {self.unit}, {way}" if self.signed else f"|{symbol}|, {self.unit}"
+        symbol = SYMBOLS[self.name]
+        shown = f"{symbol}, {factor}{self.unit}, {way}" if self.signed else f"|{symbol}|, {factor}{self.unit}"
         return f"{self.words} {shown}", shown
 
     def measure(self, samples: Samples) -> Array:

@@ -41,7 +41,7 @@ def draw_overview(scene: Scene, canvas: Canvas) -> Any:
         ends = scale([window[0].start_time, window[-1].end_time])
         if is_long(law):
             ax.axvspan(*ends, color=HERE, linewidth=0, zorder=-2)
-        write_title(ax, channel.titles, say_peak(scene, channel), "xyz" if channel.signed else "")
+        write_title(ax, channel.name_panel(top), say_peak(scene, channel), "xyz" if channel.signed else "")
     scale.mark(axes[-1], canvas, scale.end)
     axes[-1].set_xlabel(f"time, s ({len(law.legs)} legs; shaded: {name_window(law, window)})", fontsize=SIZE)
     return figure

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from timelaw.motion import QuaternionLaw, Segment
 from timelaw.numerics.array import Array
-from timelaw.report.figures.channels import Channel, Trace, trace_channel
+from timelaw.report.figures.channels import Channel, Trace, find_power, trace_channel
 from timelaw.report.figures.drawn import Scene, choose_colour
 from timelaw.report.figures.style import (
     AXIS_COLOURS,
@@ -31,6 +31,7 @@ from timelaw.report.figures.window import name_window
 HEIGHT = 1.25  # inch, of a panel
 ROOM = 1.08  # of the largest that is drawn
 FAR = 1.6  # times the law's own peak; a limit or baseline beyond is not drawn, or cut
+WRITTEN = 1e7  # greater numbers are written with a power of ten
 LONGER = 1.45  # times the law; a baseline that takes longer is cut there
 WIDE_LEGEND, NARROW_LEGEND = 4, 2  # laws in a line
 
@@ -54,7 +55,7 @@ def draw_rates(scene: Scene, canvas: Canvas) -> Any:
         set_range(ax, trace, top)
         ax.set_xlim(0, end)
         ax.set_xticks([])
-        write_title(ax, channel.titles, say_peak(scene, channel), "xyz" if channel.signed else "")
+        write_title(ax, channel.name_panel(top), say_peak(scene, channel), "xyz" if channel.signed else "")
     scale.mark(axes[-1], canvas, end)
     axes[-1].set_xlabel("time, s", fontsize=SIZE)
     _label_nodes(axes[0], window, scale, end, canvas)
@@ -137,7 +138,7 @@ def set_range(ax: Any, trace: Trace, top: float) -> None:
 
     ax.set_ylim(-ROOM * top if trace.channel.signed else 0.0, ROOM * top)
     ax.yaxis.set_major_locator(MaxNLocator(4, symmetric=trace.channel.signed))
-    set_ticks(ax)
+    set_ticks(ax, find_power(top))
     if trace.channel.signed:
         ax.axhline(0, color=NODE, linewidth=0.6, zorder=0)
 
@@ -152,7 +153,12 @@ def say_peak(scene: Scene, channel: Channel) -> str:
     check = max(checks, key=lambda c: c.ratio)
     axis = check.limit.removeprefix(channel.name).strip()
     shown = f"{axis}: " if axis else ""
-    return f"{shown}at most {channel.scale * check.upper:.5g} of {channel.scale * check.bound:.5g}"
+    return f"{shown}at most {_say(channel.scale * check.upper)} of {_say(channel.scale * check.bound)}"
+
+
+def _say(value: float) -> str:
+    """A number as people write it."""
+    return f"{value:.0f}" if 1e5 <= abs(value) < WRITTEN else f"{value:.5g}"
 
 
 def _mark_nodes(ax: Any, scene: Scene, window: Sequence[Segment], scale: TimeScale) -> None:

@@ -66,7 +66,7 @@ THEME = {  # the names that colours have in a page, which has others in the dark
 FONTS = "'DejaVu Sans', 'Bitstream Vera Sans', Verdana, Geneva, sans-serif"
 DASHED = (0, (5, 3))
 SIZE = 8.5  # of labels, in points of the picture
-BLANK = 3.0  # points
+BLANK = 4.0  # points
 
 
 @dataclass(frozen=True)
@@ -130,24 +130,26 @@ def write_title(ax: Any, texts: Sequence[str], right: str = "", letters: str = "
     After it letters in the colours of the body axes.
     """
     room = ax.get_position().width * ax.figure.get_figwidth() * 72
-    wide = measure_text(right) + BLANK * 4 + sum(measure_text(letter) + BLANK * 2 for letter in letters)
+    wide = measure_text(right) + BLANK * 5 + sum(measure_text(letter) + BLANK * 2 for letter in letters)
     text = next((t for t in texts if measure_text(t) + wide <= room), texts[-1])
     style = {"xycoords": "axes fraction", "textcoords": "offset points", "fontsize": SIZE}
     ax.annotate(text, (0, 1), xytext=(0, 4), ha="left", color=INK, parse_math=False, **style)
     if right:
         ax.annotate(right, (1, 1), xytext=(0, 4), ha="right", color=MUTED, parse_math=False, **style)
-    place = measure_text(text) + BLANK
+    place = measure_text(text) + 2 * BLANK  # renderers differ a little in how wide texts are
     for letter, colour in zip(letters, AXIS_COLOURS, strict=False):
         ax.annotate(letter, (0, 1), xytext=(place, 4), ha="left", color=colour, weight="bold", **style)
         place += measure_text(letter) + BLANK * 2
 
 
-def set_ticks(ax: Any) -> None:
-    """Short and thin, numbers as short as they may be."""
+def set_ticks(ax: Any, power: int = 0) -> None:
+    """Short and thin, numbers as short as they may be, in a power of ten."""
     from matplotlib.ticker import FuncFormatter
 
     ax.tick_params(labelsize=SIZE, width=0.6, length=2.5)
-    ax.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:.4g}".replace("-", "−")))
+    ax.yaxis.set_major_formatter(
+        FuncFormatter(lambda value, _: f"{value / 10.0**power:.4g}".replace("-", "−"))
+    )
 
 
 def render_svg(figure: Any, salt: str) -> str:
