@@ -37,7 +37,7 @@ def list_tiles(design: Design, rows: Sequence[LawRow]) -> list[Tile]:
 
 def _show_time(design: Design, best: LawRow) -> list[Tile]:
     if design.through is None:
-        return [show_difference(best.to_quintic, "time against the quintic")]
+        return show_gain(best.duration, best.duration / best.to_quintic, design.requirements.dwell_time)
     stopping = time_double_s(design.route, design.requirements, stop=True).duration
     return [
         show_difference(best.duration / stopping, "time against a stop at every node (double-S)"),
@@ -56,6 +56,15 @@ def show_difference(ratio: float, words: str) -> Tile:
     """A ratio as what it is more or less than one."""
     sign = "−" if ratio <= 1 else "+"
     return Tile(f"{sign}{abs(100 * (ratio - 1)):.1f} %", words)
+
+
+def show_gain(duration: float, quintic: float, rest: float) -> list[Tile]:
+    """Time [s] against the quintic's; where the body rests, what both need in motion first."""
+    tiles = [show_difference(duration / quintic, "time against the quintic")]
+    if rest > NOTICEABLE * duration:
+        moving = (duration - rest) / (quintic - rest)
+        tiles = [show_difference(moving, "time in motion against the quintic"), *tiles]
+    return tiles
 
 
 def show_motion_time(law: QuaternionLaw) -> list[Tile]:

@@ -89,6 +89,7 @@ def make_environment() -> Environment:
     environment.filters["vector"] = _vector
     environment.filters["prose"] = _prose
     environment.filters["shown"] = show_quantity
+    environment.filters["direction"] = _direction
     return environment
 
 
@@ -106,3 +107,8 @@ def _vector(components: Any, scale: float) -> str:
     """Three components in degrees with a true minus sign, 0 where they are rounding against `scale`."""
     shown = [0.0 if abs(c) <= JUMP_TOLERANCE * scale else float(np.degrees(c)) for c in components]
     return ", ".join(f"{c:.5g}".replace("-", "−") for c in shown)
+
+
+def _direction(axis: Any) -> str:
+    """A unit vector to four digits, with a true minus sign and no negative zero."""
+    return ", ".join(f"{round(float(c), 4) + 0.0:.4f}".replace("-", "−") for c in axis)

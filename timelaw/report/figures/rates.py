@@ -158,7 +158,8 @@ def say_peak(scene: Scene, channel: Channel) -> str:
 
 def _say(value: float) -> str:
     """A number as people write it."""
-    return f"{value:.0f}" if 1e5 <= abs(value) < WRITTEN else f"{value:.5g}"
+    short = f"{value:.5g}"
+    return f"{value:.0f}" if "e+" in short and abs(value) < WRITTEN else short
 
 
 def _mark_nodes(ax: Any, scene: Scene, window: Sequence[Segment], scale: TimeScale) -> None:
