@@ -1,4 +1,4 @@
-"""The command line: `timelaw design`, `verify`, `tour` and `sweep`."""
+"""The command line: `timelaw design`, `verify`, `tour`, `sweep` and `compare`."""
 
 from timelaw.cli.entry import main
 

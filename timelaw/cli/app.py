@@ -84,6 +84,18 @@ def tour(problem: str, output: str | None, table: bool, as_json: bool) -> int:
 
 
 @timelaw.command()
+@click.argument("laws", type=click.Path(), nargs=-1, required=True)
+@click.option("-o", "--output", type=click.Path(), help="Folder for a page with overlays  [default: none]")
+@click.option("--any-route", is_flag=True, help="Compare laws of different routes too.")
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON object on stdout.")
+def compare(laws: tuple[str, ...], output: str | None, any_route: bool, as_json: bool) -> int:
+    """Compare LAWS: law files, folders of results, or problem files, which are designed first."""
+    from timelaw.cli.compare import run
+
+    return run(laws, output, any_route=any_route, as_json=as_json)
+
+
+@timelaw.command()
 @click.argument("law", type=click.Path())
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON object on stdout.")
 def verify(law: str, as_json: bool) -> int:

@@ -9,6 +9,7 @@ MANIFEST = ".timelaw-files.json"
 KNOWN = {
     "design": ("law.json", "samples.csv", "report.html", "rates.svg", "easings.svg"),
     "sweep": ("sweep.csv", "front.svg"),
+    "compare": (),
 }
 
 

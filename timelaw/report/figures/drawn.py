@@ -8,7 +8,7 @@ from timelaw.numerics.function import enclose_peaks
 from timelaw.pipeline import Certified
 from timelaw.report.figures.channels import Channel, list_channels
 from timelaw.report.figures.samples import Samples, sample_motion
-from timelaw.report.figures.style import DOUBLE_S, EVERY_STOP, QUINTIC, STOPPING
+from timelaw.report.figures.style import AXIS_COLOURS, DOUBLE_S, EVERY_STOP, QUINTIC, STOPPING
 from timelaw.report.figures.window import choose_window, cut_alike
 from timelaw.time_law import baselines
 from timelaw.time_law.time_law import STOPPING_LAW
@@ -19,6 +19,8 @@ COLOURS = {
     baselines.EVERY_STOP: EVERY_STOP,
     STOPPING_LAW: STOPPING,
 }
+
+OTHERS = (DOUBLE_S, STOPPING, AXIS_COLOURS[2], AXIS_COLOURS[0], QUINTIC, EVERY_STOP)
 
 
 class Drawn(Protocol):
@@ -43,6 +45,13 @@ class Scene:
         self.optimised: Certified = design.optimised
         self.baselines: tuple[Certified, ...] = design.baselines
         self.law = self.optimised.law
+
+    def choose_colour(self, name: str) -> str:
+        """Of a law beside the first one, the same in all pictures; what is no baseline has one in turn."""
+        if name in COLOURS:
+            return COLOURS[name]
+        others = [entry.name for entry in self.baselines if entry.name not in COLOURS]
+        return OTHERS[others.index(name) % len(OTHERS)]
 
     @cached_property
     def channels(self) -> list[Channel]:
@@ -81,8 +90,3 @@ def measure_deviations(law: QuaternionLaw) -> list[float]:
     parts = [list(segment.list_deviations()) for segment in law.segments]
     tops = iter(enclose_peaks([part.value for own in parts for part in own]))
     return [max((part.row.size(next(tops).upper) for part in own), default=0.0) for own in parts]
-
-
-def choose_colour(name: str) -> str:
-    """Of a law beside the optimised one, the same in all pictures."""
-    return COLOURS.get(name, STOPPING)

@@ -9,7 +9,7 @@ from timelaw.easing import Profile, Timing
 from timelaw.easing.smoothstep import control_points
 from timelaw.numerics.array import Array
 from timelaw.pipeline import Design
-from timelaw.report.figures.drawn import Scene, choose_colour
+from timelaw.report.figures.drawn import Scene
 from timelaw.report.figures.style import (
     MARGINS,
     OPTIMISED,
@@ -76,7 +76,7 @@ def draw_durations(ax: Any, scene: Scene, names: Sequence[str]) -> None:
         if entry is scene.optimised:
             ax.stairs(steps, edges, fill=True, color=OPTIMISED, alpha=0.75)
         else:
-            ax.stairs(steps, edges, color=choose_colour(entry.name), linewidth=1.0, baseline=None)
+            ax.stairs(steps, edges, color=scene.choose_colour(entry.name), linewidth=1.0, baseline=None)
     write_title(ax, ["duration of each leg, s"], "sorted" if many else "")
     ax.set_xlim(0, len(names))
     ax.set_ylim(bottom=0)

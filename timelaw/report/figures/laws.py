@@ -6,7 +6,7 @@ import numpy as np
 
 from timelaw.pipeline import Certified
 from timelaw.report.figures.binding import fill_stretches
-from timelaw.report.figures.drawn import Scene, choose_colour
+from timelaw.report.figures.drawn import Scene
 from timelaw.report.figures.style import (
     DASHED,
     DWELL,
@@ -30,7 +30,7 @@ def draw_laws(scene: Scene, canvas: Canvas, least: float | None = None) -> Any:
     end = max(entry.law.duration for entry in laws)
     figure, axes = stack_panels(canvas, [HEIGHT] * len(laws))
     for entry, ax in zip(laws, axes, strict=True):
-        colour = OPTIMISED if entry is scene.optimised else choose_colour(entry.name)
+        colour = OPTIMISED if entry is scene.optimised else scene.choose_colour(entry.name)
         _draw_bar(ax, entry, colour)
         write_title(ax, [entry.name], _say_time(entry))
         ax.set_xlim(0, end * 1.002)

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from timelaw.motion import QuaternionLaw, Segment
 from timelaw.numerics.array import Array
 from timelaw.report.figures.channels import Channel, Trace, find_power, trace_channel
-from timelaw.report.figures.drawn import Scene, choose_colour
+from timelaw.report.figures.drawn import Scene
 from timelaw.report.figures.style import (
     AXIS_COLOURS,
     DASHED,
@@ -21,6 +21,8 @@ from timelaw.report.figures.style import (
     OPTIMISED,
     SIZE,
     Canvas,
+    fit_text,
+    measure_text,
     set_ticks,
     stack_panels,
     write_title,
@@ -33,13 +35,14 @@ ROOM = 1.08  # of the largest that is drawn
 FAR = 1.6  # times the law's own peak; a limit or baseline beyond is not drawn, or cut
 WRITTEN = 1e7  # greater numbers are written with a power of ten
 LONGER = 1.45  # times the law; a baseline that takes longer is cut there
-WIDE_LEGEND, NARROW_LEGEND = 4, 2  # laws in a line
+KEY = 34.0  # points, of a line of the legend and the blanks around it
 
 
 def draw_rates(scene: Scene, canvas: Canvas) -> Any:
     """A panel for each quantity: the law over its baselines, in the scale of the law."""
     law, window, channels = scene.law, scene.window, scene.channels
-    lines = -(-(1 + len(scene.baselines)) // (WIDE_LEGEND if canvas.wide else NARROW_LEGEND))
+    texts, columns = _name_laws(scene, canvas)
+    lines = -(-len(texts) // columns)
     figure, axes = stack_panels(canvas, [HEIGHT] * len(channels), top=0.28 + 0.2 * lines)
     scale = TimeScale(window)
     longest = [min(TimeScale(part.segments).end, LONGER * scale.end) for _, part in scene.beside]
@@ -48,7 +51,7 @@ def draw_rates(scene: Scene, canvas: Canvas) -> Any:
         trace = trace_channel(channel, scene.part)
         top = find_top(law, trace)
         for name, part in scene.beside:
-            _draw_baseline(ax, trace_channel(channel, part), choose_colour(name), end)
+            _draw_baseline(ax, trace_channel(channel, part), scene.choose_colour(name), end)
         draw_trace(ax, trace, scale)
         draw_bounds(ax, law, trace, scale, top)
         _mark_nodes(ax, scene, window, scale)
@@ -60,7 +63,9 @@ def draw_rates(scene: Scene, canvas: Canvas) -> Any:
     axes[-1].set_xlabel("time, s", fontsize=SIZE)
     _label_nodes(axes[0], window, scale, end, canvas)
     named = name_window(law, window)
-    _legend(figure, scene, canvas, named)
+    if named:
+        axes[-1].set_xlabel(f"time, s ({named})", fontsize=SIZE)
+    _legend(figure, scene, canvas, texts, columns)
     return figure
 
 
@@ -192,22 +197,30 @@ def _label_nodes(ax: Any, window: Sequence[Segment], scale: TimeScale, end: floa
         )
 
 
-def _legend(figure: Any, scene: Scene, canvas: Canvas, named: str) -> None:
-    """Which line is which law, in one line, on a phone in two."""
+def _name_laws(scene: Scene, canvas: Canvas) -> tuple[list[str], int]:
+    """The laws with their times, and how many of them fit in a line above the panels."""
+    room = canvas.width * 72 - 2 * KEY
+    laws = (scene.optimised, *scene.baselines)
+    times = [f" {entry.law.duration:.5g} s" for entry in laws]
+    texts = [
+        fit_text(entry.name, room - KEY - measure_text(time)) + time
+        for entry, time in zip(laws, times, strict=True)
+    ]
+    return texts, max(1, min(len(texts), int(room // (max(map(measure_text, texts)) + KEY))))
+
+
+def _legend(figure: Any, scene: Scene, canvas: Canvas, texts: Sequence[str], columns: int) -> None:
+    """Which line is which law."""
     from matplotlib.lines import Line2D
 
-    entries = [
-        (scene.optimised, OPTIMISED, 1.6),
-        *((b, choose_colour(b.name), 0.9) for b in scene.baselines),
-    ]
-    handles = [Line2D([], [], color=colour, linewidth=width) for _, colour, width in entries]
-    texts = [f"{entry.name} {entry.law.duration:.5g} s" for entry, _, _ in entries]
+    styles = [(OPTIMISED, 1.6), *((scene.choose_colour(b.name), 0.9) for b in scene.baselines)]
+    handles = [Line2D([], [], color=colour, linewidth=width) for colour, width in styles]
     legend = figure.legend(
         handles,
         texts,
         loc="upper left",
         bbox_to_anchor=(0.1 / canvas.width, 1),
-        ncols=WIDE_LEGEND if canvas.wide else NARROW_LEGEND,
+        ncols=columns,
         fontsize=SIZE,
         handlelength=1.4,
         columnspacing=1.2,
@@ -215,5 +228,3 @@ def _legend(figure: Any, scene: Scene, canvas: Canvas, named: str) -> None:
     )
     for text in legend.get_texts():
         text.set_parse_math(False)
-    if named:
-        figure.axes[-1].set_xlabel(f"time, s ({named})", fontsize=SIZE)

@@ -131,7 +131,7 @@ def write_title(ax: Any, texts: Sequence[str], right: str = "", letters: str = "
     """
     room = ax.get_position().width * ax.figure.get_figwidth() * 72
     wide = measure_text(right) + BLANK * 5 + sum(measure_text(letter) + BLANK * 2 for letter in letters)
-    text = next((t for t in texts if measure_text(t) + wide <= room), texts[-1])
+    text = next((t for t in texts if measure_text(t) + wide <= room), fit_text(texts[-1], room - wide))
     style = {"xycoords": "axes fraction", "textcoords": "offset points", "fontsize": SIZE}
     ax.annotate(text, (0, 1), xytext=(0, 4), ha="left", color=INK, parse_math=False, **style)
     if right:
@@ -179,3 +179,11 @@ def measure_text(text: str, size: float = SIZE) -> float:
         text, FontProperties(family="DejaVu Sans", size=size), ismath=False
     )
     return float(width)
+
+
+def fit_text(text: str, room: float) -> str:
+    """The text, or as much of its beginning as has room [points], and an ellipsis."""
+    cut = text
+    while cut and measure_text(cut if cut == text else f"{cut}…") > room:
+        cut = cut[:-1]
+    return cut if cut == text else f"{cut}…"
