@@ -34,7 +34,8 @@ def test_design_writes_its_files_and_says_so(designed):
     assert "time [s]" in done.stderr
     assert "\r" not in done.stderr
     names = {path.name for path in (folder / "results" / "first-steps").iterdir()}
-    assert names == {"law.json", "samples.csv", "report.html", "rates.svg", "easings.svg", MANIFEST}
+    pictures = {"laws.svg", "rates.svg", "limits.svg", "easings.svg"}
+    assert names == {"law.json", "samples.csv", "report.html", *pictures, MANIFEST}
 
 
 def test_verify_agrees_with_design(designed):

@@ -204,7 +204,9 @@ def test_where_only_the_law_shows_it_nothing_else_is_lost(tmp_path, capsys):
     assert {path.name for path in out.iterdir()} == {
         "law.json",
         "report.html",
+        "laws.svg",
         "rates.svg",
+        "limits.svg",
         "easings.svg",
         MANIFEST,
     }

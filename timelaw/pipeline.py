@@ -17,7 +17,7 @@ from timelaw.orientations import OrientationSet, read_orientations
 from timelaw.passing import pass_nodes
 from timelaw.problem import Problem, Source, load_problem
 from timelaw.problem.route import Orientations
-from timelaw.progress import Progress
+from timelaw.progress import Progress, tell
 from timelaw.requirements import Requirements, resolve_requirements
 from timelaw.requirements.given_times import list_budgets
 from timelaw.route import Route, lay_route
@@ -97,6 +97,7 @@ def design_layout(layout: Layout, progress: Progress | None = None) -> Design:
         return design_through(layout, progress)
     with layout.source.placed(), on_one_thread():
         family, solution = optimise(problem, layout.route, layout.requirements, progress)
+    tell(progress, "proving the laws")
     time_law = TimeLaw(OPTIMISED_LAW, solution.timings, layout.requirements.dwells)
     optimised = certify_time_law(layout, time_law, problem.nodes.continuity)
     return _set_beside(layout, family, solution, optimised)
@@ -111,6 +112,7 @@ def design_through(layout: Layout, progress: Progress | None = None) -> Design:
     problem = layout.problem
     with layout.source.placed(), on_one_thread():
         found = pass_nodes(problem, layout.route, layout.requirements, progress)
+    tell(progress, "proving the laws")
     stops = TimeLaw(STOPPING_LAW, found.solution.timings, layout.requirements.dwells)
     shown = found.family.rigid and "double-s" in problem.baselines  # as a baseline
     kept = replace(layout, requirements=found.kept)

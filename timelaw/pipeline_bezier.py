@@ -28,7 +28,7 @@ from timelaw.numerics.quaternion import rotation_matrix
 from timelaw.numerics.threads import on_one_thread
 from timelaw.pipeline import Certified
 from timelaw.problem import Problem, Source
-from timelaw.progress import Progress
+from timelaw.progress import Progress, tell
 from timelaw.time_law.baselines import PAPER_CONTINUITY, QUINTIC
 from timelaw.time_law.time_law import OPTIMISED_LAW
 
@@ -93,9 +93,9 @@ def design_curves(
         runs = split_runs(legs, passages)
         found = []
         for index, run in enumerate(runs):
-            if progress is not None:
-                progress("searching easings", index, len(runs))
+            tell(progress, "searching easings", index, len(runs))
             found.append(find_fastest(run, "limits"))
+        tell(progress, "proving the laws")
         choices = [one.choice for one in found]
         law, proved = _prove(problem, runs, choices)
         outcomes = tuple(

@@ -1,11 +1,12 @@
 """Entry point: every way to end has its exit code, and with --json its object on stdout."""
 
+from collections.abc import Callable
 from math import isnan
 
 import click
 
 from timelaw import __version__
-from timelaw.cli.console import describe_error
+from timelaw.cli.console import describe_error, set_speech
 from timelaw.cli.last_word import print_object, wants_json
 from timelaw.errors import EXIT_BAD_INPUT, EXIT_DEFECT, EXIT_DONE, Fault, TimelawError
 from timelaw.interrupts import Interrupted, check_interrupted, find_interrupt, say_last_words
@@ -22,6 +23,30 @@ def _refuse_nan(_context: click.Context, parameter: click.Parameter, value: floa
     if value is not None and isnan(value):
         raise click.BadParameter("nan is not a number of seconds", param=parameter)
     return value
+
+
+def speaking(command: Callable[..., int]) -> Callable[..., int]:
+    """Options of every command: how much is said, and to whom."""
+    options = (
+        click.option(
+            "--no-progress",
+            is_flag=True,
+            expose_value=False,
+            callback=lambda _context, _parameter, value: set_speech(progress=not value),
+            help="Show no progress on a terminal.",
+        ),
+        click.option(
+            "--quiet",
+            is_flag=True,
+            expose_value=False,
+            callback=lambda _context, _parameter, value: set_speech(quiet=value),
+            help="Say nothing but findings and errors.",
+        ),
+        click.option("--json", "as_json", is_flag=True, help="Print one JSON object on stdout."),
+    )
+    for option in reversed(options):
+        command = option(command)
+    return command
 
 
 @click.group(
@@ -43,7 +68,7 @@ def timelaw() -> None:
     callback=_refuse_nan,
     help="Seconds of wall time, after which the best law so far is taken.",
 )
-@click.option("--json", "as_json", is_flag=True, help="Print one JSON object on stdout.")
+@speaking
 def design(problem: str, output: str | None, time_limit: float | None, as_json: bool) -> int:
     """Design the law of a PROBLEM file: law.json, samples.csv, report.html and its figures."""
     with limit_time(time_limit):
@@ -58,7 +83,7 @@ def design(problem: str, output: str | None, time_limit: float | None, as_json: 
 @click.option(
     "--processes", type=click.IntRange(1), help="Designs made at a time  [default: one per processor]"
 )
-@click.option("--json", "as_json", is_flag=True, help="Print one JSON object on stdout.")
+@speaking
 def sweep(study: str, output: str | None, processes: int | None, as_json: bool) -> int:
     """Design a problem over the varied keys of a STUDY file: sweep.csv and front.svg."""
     from timelaw.cli.sweep import run
@@ -74,20 +99,21 @@ def sweep(study: str, output: str | None, processes: int | None, as_json: bool) 
     type=click.Path(),
     help="Orientation file (CSV) in the tour's order; with it, its picture (SVG).",
 )
+@click.option("--all", "all_legs", is_flag=True, help="Print every leg, however many there are.")
 @click.option("--table", is_flag=True, help="Print the distances between all orientations too.")
-@click.option("--json", "as_json", is_flag=True, help="Print one JSON object on stdout.")
-def tour(problem: str, output: str | None, table: bool, as_json: bool) -> int:
+@speaking
+def tour(problem: str, output: str | None, all_legs: bool, table: bool, as_json: bool) -> int:
     """Show the tour of a PROBLEM file and the time it allows, without designing a law."""
     from timelaw.cli.tour import run
 
-    return run(problem, output, table=table, as_json=as_json)
+    return run(problem, output, all_legs=all_legs, table=table, as_json=as_json)
 
 
 @timelaw.command()
 @click.argument("laws", type=click.Path(), nargs=-1, required=True)
 @click.option("-o", "--output", type=click.Path(), help="Folder for a page with overlays  [default: none]")
 @click.option("--any-route", is_flag=True, help="Compare laws of different routes too.")
-@click.option("--json", "as_json", is_flag=True, help="Print one JSON object on stdout.")
+@speaking
 def compare(laws: tuple[str, ...], output: str | None, any_route: bool, as_json: bool) -> int:
     """Compare LAWS: law files, folders of results, or problem files, which are designed first."""
     from timelaw.cli.compare import run
@@ -97,7 +123,7 @@ def compare(laws: tuple[str, ...], output: str | None, any_route: bool, as_json:
 
 @timelaw.command()
 @click.argument("law", type=click.Path())
-@click.option("--json", "as_json", is_flag=True, help="Print one JSON object on stdout.")
+@speaking
 def verify(law: str, as_json: bool) -> int:
     """Prove the limits and nodes of a LAW file from that file alone."""
     from timelaw.cli.verify import run
@@ -123,6 +149,7 @@ def run_command(arguments: list[str]) -> int:
 
 
 def _run(arguments: list[str]) -> int:
+    set_speech(quiet=False, progress=True)
     try:
         code = timelaw.main(arguments, prog_name="timelaw", standalone_mode=False)
     except TimelawError as error:

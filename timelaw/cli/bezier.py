@@ -4,12 +4,21 @@ import hashlib
 from pathlib import Path
 from typing import Any
 
-from timelaw.cli.console import RESULTS, print_json, print_limits, print_table, say, show_progress
+from timelaw.cli.console import (
+    RESULTS,
+    print_json,
+    print_limits,
+    print_table,
+    say,
+    say_findings,
+    show_progress,
+)
 from timelaw.errors import EXIT_DONE, EXIT_FINDINGS, InputError
 from timelaw.export import format_law
 from timelaw.export.registry import EXPORTERS
 from timelaw.pipeline_bezier import BezierDesign, design_curves
 from timelaw.problem import Problem, Source
+from timelaw.progress import tell
 from timelaw.report.curves.joint_text import describe_joints, list_joint_data
 from timelaw.report.curves.outcome import describe_curves, list_curve_rows
 from timelaw.report.curves.page import render_curve_report
@@ -27,12 +36,12 @@ def run(path: Path, problem: Problem, source: Source, output: str | None, *, as_
     with show_progress() as report:
         set_aside(REST + REST_OF_CURVE * len(problem.route.bezier or ()))
         done = design_curves(path, problem, source, report)
+        tell(report, "writing samples and report")
         files, left_out = list_files(done)
         write_results(folder, COMMAND, files)
     certificate = done.optimised.certificate
     _print(done, folder)
-    for finding in left_out:
-        say(f"finding: {finding}")
+    say_findings(left_out)
     code = EXIT_DONE if certificate.holds and not left_out else EXIT_FINDINGS
     if as_json:
         print_json(
@@ -96,8 +105,7 @@ def _print(done: BezierDesign, folder: Path) -> None:
         ],
     )
     print_limits(certificate, degrees=done.source.speaks_degrees)
-    for finding in certificate.findings():
-        say(f"finding: {finding}")
+    say_findings(certificate.findings())
     for sentence in (describe_curves(done), *describe_joints(done.joints, done.passed, done.problem)):
         say(sentence)
     verdict = "certified: all limits hold for all t" if certificate.holds else "NOT certified"

@@ -5,8 +5,9 @@ from math import isfinite
 from pathlib import Path
 from typing import Any
 
-from timelaw.cli.console import print_json, print_table, say, show_progress
+from timelaw.cli.console import print_json, print_table, say, say_findings, show_progress
 from timelaw.errors import EXIT_DONE, EXIT_FINDINGS, Fault, InputError
+from timelaw.progress import tell
 from timelaw.report.comparison.compared import Compared, name_apart, read_compared
 from timelaw.report.comparison.criteria import list_lines, order_names, show_part
 from timelaw.report.comparison.page import Comparison, render_comparison
@@ -30,6 +31,7 @@ def run(given: Sequence[str], output: str | None, *, any_route: bool, as_json: b
         entries = [law.entry for law in laws]
         settings = list_setting_differences([(entry.name, entry.law) for entry in entries])
         comparison = Comparison(laws, list_lines(entries), routes, settings)
+        tell(report, "drawing")
         files = {} if folder is None else render_comparison(comparison)
         if folder is not None:
             write_results(folder, COMMAND, files)
@@ -37,8 +39,7 @@ def run(given: Sequence[str], output: str | None, *, any_route: bool, as_json: b
     if folder is not None:
         say(f"page: {folder / 'compare.html'}")
     findings = [f"{e.name}: {finding}" for e in entries for finding in e.certificate.findings()]
-    for finding in findings:
-        say(f"finding: {finding}")
+    say_findings(findings)
     code = EXIT_FINDINGS if findings else EXIT_DONE
     if as_json:
         written = [] if folder is None else [str(folder / name) for name in files]

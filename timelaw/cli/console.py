@@ -1,15 +1,16 @@
 """What the commands print: one JSON object on stdout if asked, all human text on stderr."""
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from timelaw.cli.last_word import print_object
 from timelaw.errors import TimelawError
 from timelaw.interrupts import finish_work
-from timelaw.progress import Progress
+from timelaw.progress import Progress, read_steps
 from timelaw.units import convert, name_unit
 
 if TYPE_CHECKING:
@@ -38,16 +39,39 @@ def describe_error(error: TimelawError, code: int) -> dict[str, Any]:
     return {"ok": False, "exit_code": code, "errors": faults}
 
 
+@dataclass
+class _Speech:
+    """How much is said to people: `quiet` for findings and errors alone, `progress` while work goes on."""
+
+    quiet: bool = False
+    progress: bool = True
+
+
+_speech = _Speech()
+
+
+def set_speech(*, quiet: bool | None = None, progress: bool | None = None) -> None:
+    """For the command that runs; what is not given stays."""
+    _speech.quiet = _speech.quiet if quiet is None else quiet
+    _speech.progress = _speech.progress if progress is None else progress
+
+
 @contextmanager
 def show_progress() -> Iterator[Progress | None]:
-    """Report (stage, done, of) on stderr, on a terminal only."""
-    if not sys.stderr.isatty():
+    """Report (stage, done, of) on stderr, on a terminal only; time and steps go on by themselves."""
+    if _speech.quiet or not _speech.progress or not sys.stderr.isatty():
         yield None
         return
     from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
-    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn())
+    columns = (
+        TextColumn("{task.description}", markup=False),
+        BarColumn(),
+        MofNCompleteColumn(),
+        TimeElapsedColumn(),
+        _make_steps_column(),
+    )
     with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
         task = bar.add_task("reading", total=None)
 
@@ -57,8 +81,25 @@ def show_progress() -> Iterator[Progress | None]:
         yield report
 
 
+def _make_steps_column() -> Any:
+    """How many steps the solvers have taken, since progress is shown."""
+    from rich.progress import ProgressColumn
+    from rich.text import Text
+
+    class Steps(ProgressColumn):
+        before = read_steps()
+
+        def render(self, task: Any) -> Text:  # noqa: ARG002
+            taken = read_steps() - self.before
+            return Text(f"{taken} solver steps" if taken else "")
+
+    return Steps()
+
+
 def print_table(headings: list[str], rows: list[list[str]]) -> None:
     """A table on stderr: the first column to the left, numbers to the right."""
+    if _speech.quiet:
+        return
     from rich import box
     from rich.console import Console
     from rich.table import Table
@@ -98,5 +139,12 @@ def print_limits(certificate: "Certificate", *, degrees: bool = False) -> None:
 
 
 def say(text: str) -> None:
-    """A line on stderr."""
-    print(text, file=sys.stderr)
+    """A line on stderr, unless only findings are wanted."""
+    if not _speech.quiet:
+        print(text, file=sys.stderr)
+
+
+def say_findings(findings: Iterable[str]) -> None:
+    """What is wrong with a law, a line on stderr each, however little is to be said."""
+    for finding in findings:
+        print(f"finding: {finding}", file=sys.stderr)

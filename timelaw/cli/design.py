@@ -6,13 +6,22 @@ from pathlib import Path
 from typing import Any
 
 from timelaw.cli import bezier as cli_bezier
-from timelaw.cli.console import RESULTS, print_json, print_limits, print_table, say, show_progress
+from timelaw.cli.console import (
+    RESULTS,
+    print_json,
+    print_limits,
+    print_table,
+    say,
+    say_findings,
+    show_progress,
+)
 from timelaw.errors import EXIT_DONE, EXIT_FINDINGS, InputError
 from timelaw.export import format_law
 from timelaw.export.registry import EXPORTERS
 from timelaw.export.samples_csv import refuse_too_many_rows
 from timelaw.pipeline import Design, Layout, design_layout, lay_out_problem
 from timelaw.problem import load_problem
+from timelaw.progress import tell
 from timelaw.report import LawRow, list_law_rows, render_report
 from timelaw.report.outcome import describe_outcome, measure_gain
 from timelaw.report.passing_text import describe_rungs
@@ -42,14 +51,14 @@ def run(problem: str, output: str | None, *, as_json: bool) -> int:
         folder = Path(output) if output is not None else RESULTS / layout.problem.name
         repair_results(folder)
         done = design_layout(layout, report)
+        tell(report, "writing samples and report")
         samples, left_out = list_samples(done)  # old ones of what is left out go with the other old results
         files = list_files(done, path, samples)
         rows = list_law_rows(done)
         write_results(folder, COMMAND, files)
     certificate = done.optimised.certificate
     _print(done, rows, folder)
-    for finding in left_out.values():
-        say(f"finding: {finding}")
+    say_findings(left_out.values())
     code = EXIT_DONE if certificate.holds and not left_out else EXIT_FINDINGS
     if as_json:
         print_json(
@@ -166,8 +175,7 @@ def _print(done: Design, rows: list[LawRow], folder: Path) -> None:
         ],
     )
     print_limits(done.optimised.certificate, degrees=done.source.speaks_degrees)
-    for finding in done.optimised.certificate.findings():
-        say(f"finding: {finding}")
+    say_findings(done.optimised.certificate.findings())
     for sentence in describe_outcome(done, rows):
         say(sentence)
     for sentence in describe_moves(done.orientations, done.route):

@@ -1,5 +1,6 @@
 """`timelaw tour`: legs, turns, certificate and the time a tour allows, before any law is designed."""
 
+from collections import Counter
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -11,16 +12,18 @@ from timelaw.errors import EXIT_DONE, InputError
 from timelaw.export.orientations_csv import format_orientations
 from timelaw.files import write_files
 from timelaw.pipeline import Layout, lay_out
+from timelaw.progress import tell
 from timelaw.report.tour_text import describe_merits, list_merit_data, list_notes, measure_arcs
 from timelaw.requirements.route_limit import find_route_limit
 from timelaw.tours import sharpen
 from timelaw.tours.straightest import STRAIGHT
 
 PICTURE = ".svg"
+MOST_LEGS, FIRST, LAST = 40, 12, 4  # of longer tours the first and last legs are printed
 MOST_IN_TABLE = 1000  # orientations: a million distances
 
 
-def run(problem: str, output: str | None, *, table: bool, as_json: bool) -> int:
+def run(problem: str, output: str | None, *, table: bool, as_json: bool, all_legs: bool = False) -> int:
     """Show the tour of a problem file; returns the exit code."""
     if output is not None and Path(output).suffix.lower() == PICTURE:
         raise InputError(
@@ -32,8 +35,9 @@ def run(problem: str, output: str | None, *, table: bool, as_json: bool) -> int:
             count = len(layout.orientations)
             raise InputError(f"--table: {count} orientations; at most {MOST_IN_TABLE} fit in a table")
         layout = replace(layout, tour=sharpen(layout.tour, layout.orientations, report))
-    found = _summary(layout)
-    _print(layout, found)
+        tell(report, "times of the tour")
+        found = _summary(layout)
+    _print(layout, found, all_legs=all_legs)
     if table:
         _print_distances(layout)
     if output is not None:
@@ -82,7 +86,7 @@ def _summary(layout: Layout) -> dict[str, Any]:
     }
 
 
-def _print(layout: Layout, found: dict[str, Any]) -> None:
+def _print(layout: Layout, found: dict[str, Any], *, all_legs: bool) -> None:
     nodes = layout.route.nodes
     rows = [
         [
@@ -94,7 +98,12 @@ def _print(layout: Layout, found: dict[str, Any]) -> None:
         ]
         for leg, node in zip(layout.route.legs, nodes[1:], strict=True)
     ]
+    left_out = 0 if all_legs or len(rows) <= MOST_LEGS else len(rows) - FIRST - LAST
+    if left_out:
+        rows = [*rows[:FIRST], [f"… {left_out} more", "", "", "", ""], *rows[-LAST:]]
     print_table(["leg", "angle [deg]", "axis (body)", "then", "axis turns [deg]"], rows)
+    if left_out:
+        say(_sum_up(layout))
     for line in (*found["notes"], *describe_merits(layout.tour)):
         say(line)
     passed = found["passed_nodes"]
@@ -107,6 +116,18 @@ def _print(layout: Layout, found: dict[str, Any]) -> None:
     say(
         f"least time over the runs {found['time_over_runs']:.4f} s, "
         f"with a stop at every node {found['time_with_every_stop']:.4f} s"
+    )
+
+
+def _sum_up(layout: Layout) -> str:
+    """All legs in a sentence: how long they are, and what the body does between them."""
+    angles = np.degrees([leg.angle for leg in layout.route.legs])
+    least, median, most = np.min(angles), np.median(angles), np.max(angles)
+    kinds = Counter(node.kind for node in layout.route.nodes[1:-1])
+    told = ", ".join(f"{count} {kind}" for kind, count in kinds.most_common())
+    return (
+        f"{len(angles)} legs of {least:.4f}° to {most:.4f}°, half of them up to {median:.4f}°; "
+        f"inner nodes: {told}; --all prints every leg"
     )
 
 

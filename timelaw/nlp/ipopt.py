@@ -10,6 +10,7 @@ import numpy as np
 from timelaw.interrupts import check_interrupted, find_interrupt, shield
 from timelaw.nlp.verdicts import Verdict, read_verdict
 from timelaw.numerics.array import Array
+from timelaw.progress import count_steps
 from timelaw.time_limit import is_late
 
 OPTIONS: dict[str, Any] = {
@@ -76,6 +77,7 @@ class _Stop(ca.Callback):
 
     def eval(self, _: Sequence[Any]) -> list[int]:
         """1 to stop."""
+        count_steps()
         return [int(is_late() or find_interrupt() is not None)]
 
 

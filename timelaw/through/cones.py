@@ -7,6 +7,7 @@ import numpy as np
 from scipy import sparse
 
 from timelaw.numerics.array import Array
+from timelaw.progress import count_steps
 
 SOLVED = ("Solved", "AlmostSolved")
 NONE = ("PrimalInfeasible", "AlmostPrimalInfeasible")
@@ -39,6 +40,7 @@ def solve_cones(
     program = (sparse.csc_matrix((len(cost), len(cost))) if square is None else square, cost, matrix, right)
     for settings in (_settings(),) if gap is None else (_settings(gap), _settings()):
         solution = clarabel.DefaultSolver(*program, list(cones), settings).solve()
+        count_steps(int(solution.iterations))
         if str(solution.status) in SOLVED:
             return np.array(solution.x)
         if str(solution.status) in NONE:

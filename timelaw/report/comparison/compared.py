@@ -9,7 +9,7 @@ from timelaw.law_file import read_law
 from timelaw.pipeline import Certified, design_problem
 from timelaw.pipeline_bezier import design_curves
 from timelaw.problem import load_problem
-from timelaw.progress import Progress
+from timelaw.progress import Progress, tell
 
 LAW, SUFFIX = "law.json", ".json"
 OPTIMISED = "optimised"
@@ -37,8 +37,7 @@ def read_compared(given: str, progress: Progress | None = None) -> Compared:
         path = path / LAW
     if path.suffix.lower() == SUFFIX:
         law, _ = read_law(path)
-        if progress is not None:
-            progress(f"proving {given}", 0, 1)
+        tell(progress, f"proving {given}")
         return Compared(Certified(law.name, law, certify(law)), given)
     problem, source = load_problem(path)
     if problem.route.bezier:
