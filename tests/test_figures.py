@@ -22,7 +22,7 @@ from timelaw.report.figures.easings import draw_easings
 from timelaw.report.figures.overview import draw_overview
 from timelaw.report.figures.rates import draw_rates
 from timelaw.report.figures.registry import BINDING, FIGURES, OVERVIEW, RATES
-from timelaw.report.figures.style import NARROW, STYLE, WIDE
+from timelaw.report.figures.style import NARROW, WIDE, fit_text, measure_text, render_svg, use_style
 from timelaw.report.figures.time_scale import TimeScale, choose_labels
 from timelaw.report.figures.window import PART, cut_alike, is_long
 
@@ -36,7 +36,26 @@ def from_file(name):
     return SimpleNamespace(optimised=Certified("optimised", law, certify(law)), baselines=())
 
 
+def renamed(legs=11):
+    """The paper's law with names that are long, of markup, of mathematics, and of letters no font here has."""
+    found = from_file("paper-24-cell")
+    names = [
+        "$\\alpha_1$ a very long name of a station in the north hall",
+        "<b>&amp;",
+        "名前三つ目の姿勢",
+        "a_b^c$x",
+    ]
+    law = found.optimised.law
+    labels = [names[k % 4] + str(k) for k in range(12)]
+    segments = tuple(
+        replace(s, origin=labels[k], target=labels[k + 1]) for k, s in enumerate(law.segments[:legs])
+    )
+    law = replace(law, segments=segments)
+    return SimpleNamespace(optimised=Certified("optimised", law, certify(law)), baselines=())
+
+
 DESIGNS = {
+    "odd names": renamed,
     "arcs, norms": lambda: from_file("paper-24-cell"),
     "rational segments": lambda: from_file("paper-24-cell-through"),
     "wheels, torque by axis, dwells": lambda: reference("reaction-wheel-slew"),
@@ -86,7 +105,7 @@ def test_channels_are_the_laws_own_rates_torques_and_momenta():
 
 
 def drawn(picture, scene, canvas):
-    with mpl.rc_context(STYLE):
+    with use_style():
         return picture(scene, canvas)
 
 
@@ -112,7 +131,8 @@ def test_no_two_texts_touch_and_none_is_cut_or_too_small(scene, canvas):
     for picture in pictures:
         figure = drawn(picture.draw, scene, canvas)
         renderer = FigureCanvasAgg(figure).get_renderer()
-        figure.draw(renderer)
+        with use_style():
+            figure.draw(renderer)
         texts = [t for t in figure.findobj(mpl.text.Text) if t.get_visible() and t.get_text().strip()]
         assert len(texts) > 5
         hidden = set(_list_hidden(figure))
@@ -199,3 +219,15 @@ def test_a_calm_law_sets_the_scale_and_a_far_limit_is_not_drawn(tmp_path):
     index = [c.name for c in scene.channels].index("jerk")
     peak = trace_channel(scene.channels[index], scene.part).largest()
     assert figure.axes[index].get_ylim()[1] == pytest.approx(1.08 * peak, rel=0.05)
+
+
+def test_names_are_text_in_the_file_and_cut_where_they_are_too_long():
+    with use_style():
+        text = render_svg(draw_rates(Scene(renamed(3)), WIDE), "x")
+    assert "&lt;b&gt;&amp;amp;" in text
+    assert "名前三つ目の姿勢" in text
+    assert "…" in text
+    assert fit_text("short", 100.0) == "short"
+    cut = fit_text("a very long name of a station", 60.0)
+    assert cut.endswith("…")
+    assert measure_text(cut) <= 60.0 < measure_text(cut[:-1] + "nn")

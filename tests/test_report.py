@@ -222,6 +222,11 @@ def test_the_gain_is_measured_for_every_objective_that_is_not_time(tmp_path, obj
         assert f"{100 * gain.part:.1f} % less than" in text
     quintic = next(b for b in designed.baselines if b.name == "quintic")
     assert quintic.law.duration == pytest.approx(20, rel=1e-12)
+    if objective in ("energy", "torque"):  # a column of the table, the optimised law first
+        rows = rows_of(render_report(designed, DIGEST)["report.html"], gain.objective.symbol)
+        column = next(k for k, heading in enumerate(rows[0]) if gain.objective.symbol in heading)
+        assert rows[1][column] == f"{gain.value:.5g}"
+        assert rows[2][column] == f"{gain.reference:.5g}"
 
 
 def test_baselines_keep_times_of_arrival_and_stop_at_the_node_of_one(tmp_path):

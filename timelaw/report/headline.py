@@ -6,6 +6,7 @@ from math import isfinite
 
 from timelaw.motion import QuaternionLaw
 from timelaw.pipeline import Design
+from timelaw.report.numbers import write_number
 from timelaw.report.outcome import Gain, measure_gain
 from timelaw.report.problem_text import CONTINUOUS
 from timelaw.report.summary import LawRow
@@ -27,10 +28,12 @@ def list_tiles(design: Design, rows: Sequence[LawRow]) -> list[Tile]:
     best, law = rows[0], design.optimised.law
     gain = measure_gain(design)
     tiles = [_show_effort(gain)] if gain is not None else _show_time(design, best)
-    tiles.append(Tile(f"{law.duration:.5g} s", "total time" + ("" if gain is None else ", as asked")))
+    tiles.append(
+        Tile(f"{write_number(law.duration)} s", "total time" + ("" if gain is None else ", as asked"))
+    )
     tiles += show_motion_time(law)
     if isfinite(best.to_limit) and design.through is None:
-        tiles.append(Tile(f"+{100 * (best.to_limit - 1):.3g} %", "time above the physical limit"))
+        tiles.append(Tile(f"+{100 * (best.to_limit - 1):.2f} %", "time above the physical limit"))
     tiles.append(Tile(f"C{best.continuity}", f"{CONTINUOUS[best.continuity]} without jumps"))
     return tiles
 
@@ -70,4 +73,6 @@ def show_gain(duration: float, quintic: float, rest: float) -> list[Tile]:
 def show_motion_time(law: QuaternionLaw) -> list[Tile]:
     """The time in motion, where the body also rests."""
     motion = sum(leg.duration for leg in law.legs)
-    return [Tile(f"{motion:.5g} s", "in motion")] if motion < law.duration * (1 - NOTICEABLE) else []
+    return (
+        [Tile(f"{write_number(motion)} s", "in motion")] if motion < law.duration * (1 - NOTICEABLE) else []
+    )

@@ -1,5 +1,6 @@
 """`report.html`: one self-contained page, and the figures it shows as files of their own."""
 
+import re
 from collections.abc import Mapping, Sequence
 from html import escape
 from typing import Any
@@ -99,8 +100,13 @@ def show_quantity(value: float, unit: str) -> str:
 
 
 def _prose(text: str) -> Markup:
-    """A sentence of ours as text of the page; what it quotes is escaped, apostrophes stay."""
-    return Markup(escape(text, quote=False))
+    """A sentence of ours as text of the page; what it quotes is escaped, apostrophes stay.
+
+    Numbers keep their units on their line, and integrals stay whole.
+    """
+    kept = re.sub(r"(?<=\d) (?=(?:s|%|deg|rad|N·m|kg|m)(?:\W|[²³⁴]|$))", "\u00a0", text)
+    integral = r'<span class="whole">\g<0></span>'
+    return Markup(re.sub(r"∫\|[^|]+\|² dt", integral, escape(kept, quote=False)))
 
 
 def _vector(components: Any, scale: float) -> str:

@@ -6,6 +6,7 @@ from typing import Any
 from timelaw.pipeline import Certified
 from timelaw.pipeline_bezier import BezierDesign
 from timelaw.report.headline import Tile, show_difference, show_motion_time
+from timelaw.report.numbers import write_number
 from timelaw.report.problem_text import CONTINUOUS
 
 
@@ -59,7 +60,7 @@ def list_curve_tiles(design: BezierDesign) -> list[Tile]:
     tiles = []
     if row.to_quintic is not None:
         tiles.append(show_difference(row.to_quintic, "time against quintics with a stop at every joint"))
-    tiles += [Tile(f"{row.duration:.5g} s", "total time"), *show_motion_time(law)]
+    tiles += [Tile(f"{write_number(row.duration)} s", "total time"), *show_motion_time(law)]
     return [*tiles, Tile(f"C{row.continuity}", f"{CONTINUOUS[row.continuity]} without jumps")]
 
 

@@ -66,7 +66,7 @@ class Channel:
         way = "along" if LIMITS[self.name].needs_translation else "about"
         symbol = SYMBOLS[self.name]
         shown = f"{symbol}, {factor}{self.unit}, {way}" if self.signed else f"|{symbol}|, {factor}{self.unit}"
-        return f"{self.words} {shown}", shown
+        return f"{self.words} {shown}".replace(f"{symbol} {symbol}", symbol), shown
 
     def measure(self, samples: Samples) -> Array:
         """The vector (n, 3) at all instants, in the unit that is shown."""

@@ -4,17 +4,16 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from timelaw.objectives import EFFORTS
-from timelaw.report.figures.style import AXIS_COLOURS, OPTIMISED, STYLE, render_svg
+from timelaw.report.figures.style import AXIS_COLOURS, OPTIMISED, render_svg, use_style
 
 COLOURS = (OPTIMISED, "#b07400", AXIS_COLOURS[2], "#7a3f9d", "#5c5c61", AXIS_COLOURS[0])
 
 
 def draw_front(name: str, effort: str, groups: Mapping[str, Sequence[tuple[float, float]]]) -> str:
     """SVG text: (time [s], effort) of each group as a line with its points, effort on a logarithmic scale."""
-    import matplotlib as mpl
     from matplotlib.figure import Figure
 
-    with mpl.rc_context(STYLE):
+    with use_style():
         figure = Figure(figsize=(7.2, 4.4), layout="constrained")
         ax: Any = figure.subplots()
         for index, (label, points) in enumerate(groups.items()):

@@ -18,6 +18,8 @@ from timelaw.report.figures.style import (
     stack_panels,
     write_title,
 )
+from timelaw.report.figures.time_scale import mark_seconds
+from timelaw.report.numbers import write_number
 
 HEIGHT = 0.18  # inch, of a bar
 TOLD_APART = 60  # legs; more are one colour
@@ -33,7 +35,7 @@ def draw_laws(scene: Scene, canvas: Canvas, least: float | None = None) -> Any:
         colour = OPTIMISED if entry is scene.optimised else scene.choose_colour(entry.name)
         _draw_bar(ax, entry, colour)
         write_title(ax, [entry.name], _say_time(entry))
-        ax.set_xlim(0, end * 1.002)
+        ax.set_xlim(0, end)
         ax.set_ylim(0, 1)
         ax.set_xticks([])
         ax.set_yticks([])
@@ -41,10 +43,8 @@ def draw_laws(scene: Scene, canvas: Canvas, least: float | None = None) -> Any:
             ax.spines[side].set_visible(side == "bottom" and ax is axes[-1])
         if least:
             ax.axvline(least, color=LIMIT, linewidth=1.0, linestyle=DASHED)
-    from matplotlib.ticker import MaxNLocator
-
-    axes[-1].xaxis.set_major_locator(MaxNLocator(canvas.ticks))
     set_ticks(axes[-1])
+    mark_seconds(axes[-1], canvas, 0.0, end)
     axes[-1].set_xlabel("time, s" + ("; dashed: the physical limit" if least else ""), fontsize=SIZE)
     return figure
 
@@ -65,5 +65,5 @@ def _say_time(entry: Certified) -> str:
     motion = sum(leg.duration for leg in entry.law.legs)
     total = entry.law.duration
     if motion < total * (1 - NOTICEABLE):
-        return f"{total:.5g} s, in motion {motion:.5g} s"
-    return f"{total:.5g} s"
+        return f"{write_number(total)} s, in motion {write_number(motion)} s"
+    return f"{write_number(total)} s"

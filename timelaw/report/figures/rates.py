@@ -29,12 +29,13 @@ from timelaw.report.figures.style import (
 )
 from timelaw.report.figures.time_scale import TimeScale, choose_labels
 from timelaw.report.figures.window import name_window
+from timelaw.report.numbers import write_number
 
 HEIGHT = 1.25  # inch, of a panel
 ROOM = 1.08  # of the largest that is drawn
 FAR = 1.6  # times the law's own peak; a limit or baseline beyond is not drawn, or cut
-WRITTEN = 1e7  # greater numbers are written with a power of ten
 LONGER = 1.45  # times the law; a baseline that takes longer is cut there
+LONGEST_LABEL = 76.0  # points; longer names are cut, so that the first has room beside the panel
 KEY = 34.0  # points, of a line of the legend and the blanks around it
 
 
@@ -158,13 +159,8 @@ def say_peak(scene: Scene, channel: Channel) -> str:
     check = max(checks, key=lambda c: c.ratio)
     axis = check.limit.removeprefix(channel.name).strip()
     shown = f"{axis}: " if axis else ""
-    return f"{shown}at most {_say(channel.scale * check.upper)} of {_say(channel.scale * check.bound)}"
-
-
-def _say(value: float) -> str:
-    """A number as people write it."""
-    short = f"{value:.5g}"
-    return f"{value:.0f}" if "e+" in short and abs(value) < WRITTEN else short
+    peak, bound = (write_number(channel.scale * value) for value in (check.upper, check.bound))
+    return f"{shown}at most {peak} of {bound}"
 
 
 def _mark_nodes(ax: Any, scene: Scene, window: Sequence[Segment], scale: TimeScale) -> None:
@@ -181,7 +177,7 @@ def _mark_nodes(ax: Any, scene: Scene, window: Sequence[Segment], scale: TimeSca
 def _label_nodes(ax: Any, window: Sequence[Segment], scale: TimeScale, end: float, canvas: Canvas) -> None:
     """Labels of the nodes on a line above the first panel, as many as do not touch."""
     legs = [segment for segment in window if segment.moves]
-    labels = [legs[0].origin, *(leg.target for leg in legs)]
+    labels = [fit_text(label, LONGEST_LABEL) for label in (legs[0].origin, *(leg.target for leg in legs))]
     places = scale([legs[0].start_time, *(leg.end_time for leg in legs)])
     for index in choose_labels(labels, places, end, canvas):
         ax.annotate(
@@ -201,7 +197,7 @@ def _name_laws(scene: Scene, canvas: Canvas) -> tuple[list[str], int]:
     """The laws with their times, and how many of them fit in a line above the panels."""
     room = canvas.width * 72 - 2 * KEY
     laws = (scene.optimised, *scene.baselines)
-    times = [f" {entry.law.duration:.5g} s" for entry in laws]
+    times = [f" {write_number(entry.law.duration)} s" for entry in laws]
     texts = [
         fit_text(entry.name, room - KEY - measure_text(time)) + time
         for entry, time in zip(laws, times, strict=True)

@@ -15,7 +15,7 @@ from timelaw.report.figures.laws import draw_laws
 from timelaw.report.figures.overview import draw_overview
 from timelaw.report.figures.passing import draw_passing
 from timelaw.report.figures.rates import draw_rates
-from timelaw.report.figures.style import NARROW, STYLE, WIDE, Canvas, render_svg
+from timelaw.report.figures.style import NARROW, WIDE, Canvas, render_svg, use_style
 from timelaw.report.figures.window import is_long
 from timelaw.requirements.route_limit import find_route_limit
 
@@ -78,10 +78,8 @@ CURVE_FIGURES: dict[str, Picture] = {
 
 def draw_figures(scene: Scene, figures: Mapping[str, Picture]) -> dict[str, Drawing]:
     """The pictures that there are of a design, by file name."""
-    import matplotlib as mpl
-
     found = {}
-    with mpl.rc_context(STYLE):
+    with use_style():
         for name, picture in figures.items():
             if picture.applies(scene.design):
                 wide, narrow = (render_svg(picture.draw(scene, c), name) for c in (WIDE, NARROW))

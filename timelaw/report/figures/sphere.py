@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from timelaw.numerics.quaternion import rotation_matrix
-from timelaw.report.figures.style import AXIS_COLOURS, GRID_LINE, STYLE, render_svg
+from timelaw.report.figures.style import AXIS_COLOURS, GRID_LINE, render_svg, use_style
 from timelaw.route import Route
 
 AXES = tuple(zip("xyz", AXIS_COLOURS, strict=True))
@@ -16,10 +16,9 @@ VIEW = {"elev": 22.0, "azim": 35.0}
 
 def draw_traces(name: str, route: Route) -> str:
     """SVG text: for each body axis its path in world coordinates, dots at the nodes."""
-    import matplotlib as mpl
     from matplotlib.figure import Figure
 
-    with mpl.rc_context(STYLE):
+    with use_style():
         figure = Figure(figsize=(9.4, 3.4), layout="constrained")
         legs = len(route.legs)
         path = rotation_matrix(route.orientation(np.linspace(0, legs, legs * POINTS_PER_LEG + 1)))

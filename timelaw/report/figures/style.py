@@ -2,7 +2,9 @@
 
 import io
 import re
-from collections.abc import Sequence
+import warnings
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
 
@@ -67,6 +69,7 @@ FONTS = "'DejaVu Sans', 'Bitstream Vera Sans', Verdana, Geneva, sans-serif"
 DASHED = (0, (5, 3))
 SIZE = 8.5  # of labels, in points of the picture
 BLANK = 4.0  # points
+FULL_WIDTH = 0x2E80  # letters from here on are as wide as high
 
 
 @dataclass(frozen=True)
@@ -171,14 +174,25 @@ def _round_path(path: re.Match[str]) -> str:
 
 
 def measure_text(text: str, size: float = SIZE) -> float:
-    """How wide a text is [points]."""
+    """How wide a text is [points]; letters that the font lacks, of the east most often, count as squares."""
     from matplotlib.font_manager import FontProperties
     from matplotlib.textpath import text_to_path
 
+    known = "".join(letter for letter in text if ord(letter) < FULL_WIDTH)
     width, _, _ = text_to_path.get_text_width_height_descent(
-        text, FontProperties(family="DejaVu Sans", size=size), ismath=False
+        known or " ", FontProperties(family="DejaVu Sans", size=size), ismath=False
     )
-    return float(width)
+    return float(width) + size * (len(text) - len(known))
+
+
+@contextmanager
+def use_style() -> Iterator[None]:
+    """Inside, figures have our style; letters that the font lacks are the viewer's to find."""
+    import matplotlib as mpl
+
+    with mpl.rc_context(STYLE), warnings.catch_warnings():
+        warnings.filterwarnings("ignore", message="Glyph .* missing from font")
+        yield
 
 
 def fit_text(text: str, room: float) -> str:

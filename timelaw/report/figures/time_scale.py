@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 from timelaw.motion import Segment
 from timelaw.numerics.array import Array
 from timelaw.report.figures.style import MARGINS, MUTED, SIZE, Canvas, measure_text
+from timelaw.report.numbers import write_number
 
 MOST_REST = 0.5  # of the time in motion; where the body rests longer in all, rest is drawn shorter
 DRAWN_REST = 0.25  # of the time in motion, all rest together, where it is drawn shorter
@@ -52,16 +53,9 @@ class TimeScale:
         if self.shortened:
             starts = [s.start_time for s in self.segments if s.moves]
             instants = np.array([*starts, self.times[-1]])
-            kept = choose_labels([f"{t:.4g}" for t in instants], self(instants), end, canvas)
-            instants = instants[kept]
+            set_labels(ax, canvas, [write_number(t, 4) for t in instants], self(instants), end)
         else:
-            from matplotlib.ticker import MaxNLocator
-
-            first = float(self.times[0])
-            instants = np.array(MaxNLocator(canvas.ticks).tick_values(first, first + end))
-            instants = instants[(instants >= first) & (instants <= first + end)]
-        places = self(instants) if self.shortened else instants - self.times[0]
-        ax.set_xticks(places, [f"{t:.4g}" if self.shortened else f"{t:.6g}" for t in instants])
+            mark_seconds(ax, canvas, float(self.times[0]), end)
         self._break(ax)
 
     def _break(self, ax: Any) -> None:
@@ -87,11 +81,26 @@ class TimeScale:
         )
 
 
+def mark_seconds(ax: Any, canvas: Canvas, first: float, end: float) -> None:
+    """Even instants from `first` on, on an axis that begins there and is so many seconds long."""
+    from matplotlib.ticker import MaxNLocator
+
+    instants = np.array(MaxNLocator(canvas.ticks).tick_values(first, first + end))
+    instants = instants[(instants >= first) & (instants <= first + end)]
+    set_labels(ax, canvas, [write_number(t, 6) for t in instants], instants - first, end)
+
+
+def set_labels(ax: Any, canvas: Canvas, labels: Sequence[str], places: Array, end: float) -> None:
+    """Ticks where their labels can stand."""
+    kept = choose_labels(labels, places, end, canvas)
+    ax.set_xticks(places[kept], [labels[k] for k in kept])
+
+
 def choose_labels(labels: Sequence[str], places: Array, end: float, canvas: Canvas) -> list[int]:
     """Which of the labels, in order along a panel that goes to `end`, can stand without touching."""
     points = (canvas.width - sum(MARGINS)) * 72
     kept: list[int] = []
-    free = -np.inf
+    free = -MARGINS[0] * 72
     for index, (label, place) in enumerate(zip(labels, places, strict=True)):
         middle, half = float(place) / end * points, measure_text(label, SIZE) / 2
         if middle - half >= free and middle + half <= points + MARGINS[1] * 72:

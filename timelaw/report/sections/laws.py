@@ -3,11 +3,15 @@
 from math import inf, isfinite
 from typing import Any
 
+from timelaw.certificate.effort import measure_effort, measure_torque
 from timelaw.least_time.constant_bounds import rate_bounds
 from timelaw.least_time.phase_plane import has_coupling
 from timelaw.least_time.snap import symmetric_time
+from timelaw.objectives import EFFORTS, Objective
 from timelaw.pipeline import Design
 from timelaw.report.section import Facts, Section
+
+JERK = 3  # the order whose effort the table has for every problem
 
 
 def _context(facts: Facts) -> dict[str, Any]:
@@ -22,9 +26,25 @@ def _context(facts: Facts) -> dict[str, Any]:
             for entry in design.baselines
             if not entry.certificate.limits_hold
         ],
+        "effort": _measure_objective(design),
         "symmetric": _time_symmetric(design),
         "unbounded": any(not isfinite(row.smoothness) for row in facts.rows),
     }
+
+
+def _measure_objective(design: Design) -> tuple[Objective, list[float]] | None:
+    """The effort that was made least, and its value for every law; None where the table has it already."""
+    name = design.problem.objective.minimise
+    if name not in EFFORTS or max(EFFORTS[name].orders) == JERK:
+        return None
+    effort = EFFORTS[name]
+    if effort.needs_inertia:
+        return effort, [
+            measure_torque(entry.law) if entry.certificate.continuity.order >= 1 else inf
+            for entry in design.laws
+        ]
+    order = max(effort.orders)
+    return effort, [measure_effort(entry.law, entry.certificate.continuity, order) for entry in design.laws]
 
 
 def _time_symmetric(design: Design) -> float | None:
