@@ -65,9 +65,8 @@ def compose_through(
     moving = any(np.any(rate) for rates in (before, after) for rate in rates.values())
     goes_round = periodic and moving
     outside = (before, after) if moving and not periodic else ({}, {})
-    return QuaternionLaw(
-        name, tuple(segments), requirements.limits, requirements.body, continuity, *outside, goes_round
-    )
+    own = (requirements.limits, requirements.body, continuity)
+    return QuaternionLaw(name, tuple(segments), *own, *outside, goes_round, requirements.shape)
 
 
 def _list_rates(curve: Curve | None, end: int) -> dict[int, Array]:
@@ -102,6 +101,5 @@ def compose_law(
         else {}
         for rates, leg in ((requirements.start, route.legs[0]), (requirements.end, route.legs[-1]))
     )
-    return QuaternionLaw(
-        name, tuple(segments), requirements.limits, requirements.body, continuity, before, after
-    )
+    own = (requirements.limits, requirements.body, continuity, before, after)
+    return QuaternionLaw(name, tuple(segments), *own, shape=requirements.shape)

@@ -22,7 +22,8 @@ class Requirements:
     """Demands per leg; per node (one more than legs) dwells [s], stops and arrival times [s].
 
     `start` and `end` are the rates φ', φ'', … outside the motion, about the first and last leg's
-    axis; empty means rest. `limits` and `leg_limits` are the bounds as the law file records them.
+    axis; empty means rest. `limits` and `leg_limits` are the bounds as the law file records them, `shape` the
+    edges [m] of the box that pictures show.
     """
 
     demands: tuple[Demand, ...]
@@ -34,6 +35,7 @@ class Requirements:
     limits: Mapping[str, Bounds]
     leg_limits: Mapping[int, Mapping[str, Bounds]]
     body: RigidBody | None
+    shape: tuple[float, float, float] | None = None
 
     @property
     def dwell_time(self) -> float:
@@ -103,6 +105,7 @@ def resolve_requirements(problem: Problem, route: Route) -> Requirements:
         given,
         own,
         body,
+        problem.body.shape if problem.body else None,
     )
 
 

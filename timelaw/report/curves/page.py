@@ -19,12 +19,14 @@ from timelaw.report.section import RATES, Inline
 from timelaw.report.sections.continuity import largest_jumps
 from timelaw.report.sections.provenance import list_versions
 from timelaw.report.sections.rates import describe_pictures
+from timelaw.report.viewer.viewer import make_viewer
 
 SECTIONS = (
     ("", "curves/verdict.html"),
     ("The problem", "curves/problem.html"),
     ("Laws side by side", "curves/laws.html"),
-    ("The motion", "curves/motion.html"),
+    ("The motion", "sections/motion.html"),
+    ("The motion at instants", "curves/motion.html"),
     ("Rates over time", "sections/rates.html"),
     ("Where the limits bind", "sections/limits.html"),
     ("Joints of the curves", "curves/joints.html"),
@@ -73,6 +75,7 @@ def _context(design: BezierDesign, digest: str, pictures: dict[str, Inline]) -> 
         "joints": list(zip(design.joints, design.passed, strict=True)),
         "search": describe_search(design),
         "instants": INSTANTS,
+        "viewer": make_viewer(design.optimised.law, certificate),
         "notes": list(
             dict.fromkeys(f"{c.limit.split(' ')[0]}: {c.note}" for c in certificate.limits if c.note)
         ),

@@ -8,6 +8,7 @@ ORDER = (
     "verdict",
     "problem",
     "laws",
+    "motion",
     "rates",
     "limits",
     "passing",
