@@ -10,6 +10,7 @@ from timelaw.easing import Profile
 from timelaw.motion import QuaternionLaw
 from timelaw.motion.arc import Arc
 from timelaw.report.page import make_environment
+from timelaw.report.sections.pictures import list_pictures
 from timelaw.report.viewer.viewer import make_viewer
 
 QUINTIC = (0.0, 0.0, 0.0, 1.0, 1.0, 1.0)  # control points of 6τ⁵ - 15τ⁴ + 10τ³
@@ -19,16 +20,20 @@ PAGE = """<!DOCTYPE html>
 <style>
 :root {{ --ink: #222; --paper: #fff; }}
 @media (prefers-color-scheme: dark) {{ :root {{ --ink: #e8e8ea; --paper: #17181b; --line: #3a3b40; --muted: #a5a5ab; --accent: #7fb8ff; }} }}
+:root {{ --axis-x: #b3261e; --axis-y: #1660b0; --axis-z: #1b6e3c; }}
+@media (prefers-color-scheme: dark) {{ :root {{ --axis-x: #ff7f74; --axis-y: #6aaef7; --axis-z: #6cc98c; --grid: #3d3e44; }} }}
 body {{ font: 15px/1.5 system-ui, sans-serif; margin: 1rem; color: var(--ink); background: var(--paper); }}
 </style></head>
 <body>{body}</body></html>
 """
 
 
-def write_page(law: QuaternionLaw, path: Path) -> Path:
-    """A page with the law's motion."""
-    template = make_environment().get_template("sections/motion.html")
-    body = template.render(viewer=make_viewer(law, certify(law)))
+def write_page(law: QuaternionLaw, path: Path, *, pictures: bool = False) -> Path:
+    """A page with the law's motion, and with its pictures if asked."""
+    environment = make_environment()
+    body = environment.get_template("sections/motion.html").render(viewer=make_viewer(law, certify(law)))
+    if pictures:
+        body += environment.get_template("sections/pictures.html").render(views=list_pictures(law))
     path.write_text(PAGE.format(body=body), encoding="utf-8")
     return path
 

@@ -131,6 +131,18 @@ def verify(law: str, as_json: bool) -> int:
     return run(law, as_json=as_json)
 
 
+@timelaw.command()
+@click.argument("law", type=click.Path())
+@click.option("--what", default="traces", help="traces, frames, sphere or rates  [default: traces]")
+@click.option("-o", "--output", required=True, type=click.Path(), help="The picture: .svg, .png or .pdf.")
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON object on stdout.")
+def plot(law: str, what: str, output: str, *, as_json: bool) -> int:
+    """Draw a LAW file: the traces of the body axes, the body at the nodes, the route on S³, or the rates."""
+    from timelaw.cli.plot import run
+
+    return run(law, what, output, as_json=as_json)
+
+
 def run_command(arguments: list[str]) -> int:
     """Run the command line; returns the exit code of every end but a defect of ours, which is raised.
 

@@ -17,6 +17,7 @@ from timelaw.report.page import embed_pictures, list_picture_files, make_environ
 from timelaw.report.problem_text import CONTINUOUS, describe_problem
 from timelaw.report.section import RATES, Inline
 from timelaw.report.sections.continuity import largest_jumps
+from timelaw.report.sections.pictures import list_pictures
 from timelaw.report.sections.provenance import list_versions
 from timelaw.report.sections.rates import describe_pictures
 from timelaw.report.viewer.viewer import make_viewer
@@ -26,6 +27,7 @@ SECTIONS = (
     ("The problem", "curves/problem.html"),
     ("Laws side by side", "curves/laws.html"),
     ("The motion", "sections/motion.html"),
+    ("The motion in pictures", "sections/pictures.html"),
     ("The motion at instants", "curves/motion.html"),
     ("Rates over time", "sections/rates.html"),
     ("Where the limits bind", "sections/limits.html"),
@@ -76,6 +78,7 @@ def _context(design: BezierDesign, digest: str, pictures: dict[str, Inline]) -> 
         "search": describe_search(design),
         "instants": INSTANTS,
         "viewer": make_viewer(design.optimised.law, certificate),
+        "views": list_pictures(design.optimised.law),
         "notes": list(
             dict.fromkeys(f"{c.limit.split(' ')[0]}: {c.note}" for c in certificate.limits if c.note)
         ),

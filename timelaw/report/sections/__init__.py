@@ -9,6 +9,7 @@ ORDER = (
     "problem",
     "laws",
     "motion",
+    "pictures",
     "rates",
     "limits",
     "passing",

@@ -49,6 +49,12 @@ function drawBody(canvas, place, axes, at, half, reach) {
   draw(true);
 }
 
+/** The angular velocity, as seen from the world, its greatest as long as is said. */
+function drawOmega(canvas, law, place, long) {
+  const tip = turn(law.q, law.rates[1], [0, 0, 0], false).map((part) => (long * part) / law.fastest);
+  if (Math.hypot(...tip) > 0.01 * long) canvas.arrow(place([0, 0, 0]), place(tip), canvas.colours.omega, 3, "ω");
+}
+
 /** The picture of the orientation, between both halves of the sphere. */
 class Sphere {
   constructor(law, trace, shape) {
@@ -58,12 +64,6 @@ class Sphere {
     this.layers = [false, true].map((front) => ({ front, image: document.createElement("canvas") }));
     this.kept = false;
     this.axes = new Float32Array(9);
-    this.omega = [0, 0, 0];
-    this.fastest = 0;
-    for (const t of trace.times) {
-      law.moveTo(t);
-      this.fastest = Math.max(this.fastest, Math.hypot(...law.rates[1]));
-    }
   }
 
   /** What only changes with the view, one half; the far one is fainter, and dashed where that is to be seen. */
@@ -100,11 +100,7 @@ class Sphere {
     half(false);
     this.drawTrail(canvas, t, false);
     drawBody(canvas, place, this.axes, 0, this.half, 1);
-    turn(law.q, law.rates[1], this.omega, false);
-    if (this.fastest > 0) {
-      const tip = this.omega.map((part) => (0.95 * part) / this.fastest);
-      if (Math.hypot(...tip) > 0.01) canvas.arrow(place([0, 0, 0]), place(tip), canvas.colours.omega, 3, "ω");
-    }
+    drawOmega(canvas, law, place, 0.95);
     half(true);
     this.drawTrail(canvas, t, true);
   }
@@ -147,9 +143,14 @@ class Space {
       high[k % 3] = Math.max(high[k % 3], part);
     });
     this.middle = low.map((part, i) => (part + high[i]) / 2);
-    this.reach = Math.hypot(...low.map((part, i) => (high[i] - part) / 2)) + Math.hypot(...shape) / 2;
     this.half = shape.map((edge) => edge / 2);
+    this.reach = trace.times.reduce((most, _, k) => Math.max(most, this.measure(k)), 0) + Math.hypot(...this.half);
     this.axes = new Float32Array(9);
+  }
+
+  /** How far a point of the way is from the middle. */
+  measure(k) {
+    return Math.hypot(...this.middle.map((part, i) => this.trace.places[3 * k + i] - part));
   }
 
   draw(canvas) {
@@ -167,8 +168,22 @@ class Space {
       c.fill();
     }
     writeAxes(law.q, this.axes, 0);
-    const here = law.places[0], long = 0.35 * reach + Math.max(...this.half);
-    drawBody(canvas, (v) => place(v.map((part, i) => part + here[i])), this.axes, 0, this.half, long);
+    const here = law.places[0], long = 0.3 * reach + Math.max(...this.half);
+    const from = (v) => place(v.map((part, i) => part + here[i]));
+    drawBody(canvas, from, this.axes, 0, this.half, long);
+    drawOmega(canvas, law, from, long);
+    this.drawScale(canvas);
+  }
+
+  /** How long a length of the picture is. */
+  drawScale(canvas) {
+    const c = canvas.context, power = 10 ** Math.floor(Math.log10(this.reach / 2));
+    const long = power * [5, 2, 1].find((part) => part * power <= this.reach / 2), y = canvas.size - 14;
+    canvas.line([[14, y], [14 + (long * canvas.radius) / this.reach, y]], canvas.ink, 2);
+    c.fillStyle = canvas.ink;
+    c.font = "12px system-ui, 'DejaVu Sans', sans-serif";
+    c.textAlign = "left";
+    c.fillText(`${Number(long.toPrecision(1))} m`, 14, y - 10);
   }
 
   /** The axes of the world, from the middle of what is shown. */

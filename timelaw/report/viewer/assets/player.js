@@ -12,12 +12,23 @@ function show(number) {
   return digits.replace("-", "−");
 }
 
+/** The greatest |ω| at some times. */
+function findFastest(law, times) {
+  let most = Number.MIN_VALUE;
+  for (const t of times) {
+    law.moveTo(t);
+    most = Math.max(most, Math.hypot(...law.rates[1]));
+  }
+  return most;
+}
+
 class Player {
   constructor(root, data) {
     this.root = root;
     this.find = (name) => root.querySelector(`[data-part="${name}"]`);
     this.law = new Law(data);
     this.trace = traceMotion(this.law);
+    this.law.fastest = findFastest(this.law, this.trace.times);
     this.canvas = new Canvas(this.find("canvas"));
     const shape = data.shape ?? [1, 0.66, 0.4];
     this.scenes = { sphere: new Sphere(this.law, this.trace, shape) };

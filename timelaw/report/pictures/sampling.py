@@ -1,0 +1,38 @@
+"""Instants of a law: enough of them for a smooth line, and steps of time that are round numbers."""
+
+from math import floor, log10
+
+import numpy as np
+
+from timelaw.motion import QuaternionLaw
+from timelaw.numerics.array import Array
+
+FINE, COARSE = 48, 12  # points of a leg, in a motion of few legs and of very many
+MOST_POINTS = 6000  # of a line that is still a small file
+MARKS = 40  # about as many marks of time as can be told apart along a motion
+
+
+def sample_times(law: QuaternionLaw) -> Array:
+    """Times (m,) from start to end [s]: both ends of every segment, and some between them."""
+    legs = max(len(law.legs), 1)
+    count = int(np.clip(MOST_POINTS // legs, COARSE, FINE))
+    parts = [
+        segment.start_time
+        + segment.duration * np.linspace(0.0, 1.0, count if segment.moves else 1, endpoint=False)
+        for segment in law.segments
+    ]
+    return np.append(np.concatenate(parts), law.duration)
+
+
+def choose_step(duration: float, count: int = MARKS) -> float:
+    """1, 2 or 5 times a power of ten [s], of which about so many fill the time."""
+    least = duration / count
+    power = 10.0 ** floor(log10(least))
+    return next(step for part in (1, 2, 5, 10) if (step := part * power) >= least * (1 - 1e-9))
+
+
+def list_marks(law: QuaternionLaw) -> tuple[float, Array]:
+    """A step [s], and the times at all its multiples up to the end."""
+    step = choose_step(law.duration)
+    count = int(law.duration / step * (1 + 1e-12))
+    return step, np.linspace(0.0, count * step, count + 1).clip(max=law.duration)

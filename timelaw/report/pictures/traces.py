@@ -1,0 +1,42 @@
+"""The traces of the body axes on the unit sphere, figure 2 of [MMB2017], and marks at steps of time."""
+
+from typing import Any
+
+from timelaw.motion import QuaternionLaw
+from timelaw.report.pictures.sampling import list_marks, sample_times
+from timelaw.report.pictures.sketch import SIZE, WIDTH, draw_dots, draw_globe, draw_path, make_panel
+from timelaw.report.pictures.view import AXIS_COLOURS, INK, MUTED, View
+
+MANY = 60  # legs; lines of more are thin, and not dashed on the far side
+EDGE = 1.08  # of the panel, in radii of the globe
+FOOT = 0.3  # inch below the globe, for what the marks are
+
+
+def draw_traces(law: QuaternionLaw) -> Any:
+    """Figure: where each body axis points in the world, nodes as large dots, steps of time as small ones."""
+    view, many = View(), len(law.legs) > MANY
+    figure, ax = make_panel(WIDTH, WIDTH + FOOT)
+    draw_globe(ax, view)
+    step, marks = list_marks(law)
+    path, nodes, ticks = (law.rotation(times) for times in (sample_times(law), law.times, marks))
+    for axis, colour in enumerate(AXIS_COLOURS):
+        draw_path(ax, path[:, :, axis], view, colour, 0.4 if many else 1.2, dashed=not many)
+        draw_dots(ax, nodes[:, :, axis], view, colour, 4 if many else 22)
+        if not many:
+            draw_dots(ax, ticks[:, :, axis], view, colour, 5)
+        letter = {"color": colour, "fontsize": 10, "weight": "bold", "ha": "left", "va": "top"}
+        ax.text(-1.04 + 0.12 * axis, 1.05, "xyz"[axis], **letter)
+    ax.set_xlim(-EDGE, EDGE)
+    ax.set_ylim(-EDGE * (1 + 2 * FOOT / WIDTH), EDGE)
+    told = f"{len(law.legs)} legs" if many else f"large dots: nodes; small dots: every {step:g} s"
+    ax.text(0, -EDGE * (1 + FOOT / WIDTH), told, ha="center", va="center", fontsize=SIZE, color=MUTED)
+    ax.text(1.04, 1.05, f"{law.duration:.4g} s", ha="right", va="top", fontsize=SIZE, color=INK)
+    return figure
+
+
+def describe_traces(law: QuaternionLaw) -> str:
+    """What is seen, for who does not see it."""
+    return (
+        f"The paths of the three body axes on the unit sphere over {law.duration:.6g} s and "
+        f"{len(law.legs)} legs: x red, y blue, z green; the far side is fainter."
+    )
