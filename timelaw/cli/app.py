@@ -21,7 +21,7 @@ Exit codes: 0 done and certified · 1 findings (a limit is broken, a node is mis
 def _refuse_nan(_context: click.Context, parameter: click.Parameter, value: float | None) -> float | None:
     """Which no range keeps out."""
     if value is not None and isnan(value):
-        raise click.BadParameter("nan is not a number of seconds", param=parameter)
+        raise click.BadParameter("nan is not a number", param=parameter)
     return value
 
 
@@ -141,6 +141,36 @@ def plot(law: str, what: str, output: str, *, as_json: bool) -> int:
     from timelaw.cli.plot import run
 
     return run(law, what, output, as_json=as_json)
+
+
+@timelaw.command()
+@click.argument("law", type=click.Path())
+@click.option("-o", "--output", required=True, type=click.Path(), help="The film: .gif, .webp or .mp4.")
+@click.option(
+    "--rate",
+    type=click.FloatRange(1, 50),
+    callback=_refuse_nan,
+    default=25,
+    show_default=True,
+    help="Frames per second.",
+)
+@click.option(
+    "--speed",
+    type=click.FloatRange(1e-3, 1e6),
+    callback=_refuse_nan,
+    default=1,
+    show_default=True,
+    help="Times as fast as it is.",
+)
+@click.option(
+    "--size", type=click.IntRange(64, 2000), default=480, show_default=True, help="Pixels each way."
+)
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON object on stdout.")
+def animate(law: str, output: str, rate: float, speed: float, size: int, *, as_json: bool) -> int:
+    """Film the body of a LAW file as it moves, on the sphere of its axes' traces or in space."""
+    from timelaw.cli.animate import run
+
+    return run(law, output, rate=rate, speed=speed, size=size, as_json=as_json)
 
 
 def run_command(arguments: list[str]) -> int:
