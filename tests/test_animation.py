@@ -4,6 +4,7 @@ import io
 import json
 import os
 import weakref
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -166,6 +167,19 @@ def test_the_command_writes_the_film_and_says_so(capsys, tmp_path):
     told = json.loads(capsys.readouterr().out)
     assert (told["frames"], told["bytes"]) == (13, file.stat().st_size)
     assert set(FORMATS) == {".gif", ".webp", ".mp4"}
+
+
+def test_the_readmes_film_is_small_and_made_by_the_readmes_command():
+    readme = (ROOT / "README.md").read_text()
+    first = readme[readme.index("![") :].split("(")[1].split(")")[0]
+    command = (
+        next(line for line in readme.splitlines() if line.startswith("timelaw animate")).split("#")[0].split()
+    )
+    given = {name: float(value) for name, value in pairwise(command) if name.startswith("--")}
+    made = Film(read_law(LAW)[0], given["--rate"], given["--speed"], int(given["--size"]))
+    assert (ROOT / first).stat().st_size < 400_000
+    with Image.open(ROOT / first) as read:
+        assert (read.n_frames, read.size) == (made.count, (made.size, made.size))
 
 
 def test_colours_are_mixed_by_parts():

@@ -28,6 +28,7 @@ HOMES = {
     "casadi": "nlp",
     "clarabel": "through",
     "matplotlib": "report",
+    "PIL": "report",
     "jinja2": "report",
     "click": "cli",
     "rich": "cli",

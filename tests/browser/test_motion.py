@@ -193,6 +193,20 @@ def test_torque_and_momentum_are_those_of_the_body(browser, tmp_path, actuator):
         assert measured == pytest.approx(expected, rel=1e-9, abs=1e-12)
 
 
+def test_the_angle_to_the_arcs_is_the_certificates(browser, tmp_path):
+    law, _ = read_law(LAWS["through"])
+    bound = {"deviation": 0.4}
+    law = replace(law, segments=tuple(replace(s, limits=bound) for s in law.segments))
+    browser.open(write_page(law, tmp_path / "deviation.html"), WIDTHS[1])
+    peaks = [peak for peak in certify(law).peaks if peak.label == "deviation"]
+    assert len(peaks) == len(law.segments)
+    for peak in peaks:
+        measured = browser.evaluate(
+            f"(() => {{ const {{ law }} = {PLAYER}; law.moveTo({peak.time}); return law.measure(law.limits.at(-1)); }})()"
+        )
+        assert measured == pytest.approx([peak.peak, 0.4], rel=1e-6)
+
+
 def test_long_laws_find_their_segment(browser, tmp_path):
     law = make_law(999)
     page = write_page(law, tmp_path / "long.html")

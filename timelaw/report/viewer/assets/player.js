@@ -70,7 +70,9 @@ class Player {
     canvas.element.addEventListener("keydown", (event) => this.key(event));
     this.listenToPointer(canvas.element);
     new ResizeObserver(() => this.resize()).observe(canvas.element);
-    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.resize());
+    for (const medium of ["(prefers-color-scheme: dark)", "print"]) {
+      matchMedia(medium).addEventListener("change", () => this.resize());
+    }
     new MutationObserver(() => this.resize()).observe(document.documentElement, { attributes: true });
     new IntersectionObserver(([entry]) => entry.isIntersecting || this.play(false)).observe(this.root);
   }
