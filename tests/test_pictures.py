@@ -18,7 +18,8 @@ from timelaw.report.pictures.rates import trace_vector
 from timelaw.report.pictures.registry import PICTURES
 from timelaw.report.pictures.render import SUFFIXES, THEME, embed_picture, render_picture
 from timelaw.report.pictures.sampling import choose_step, list_marks, sample_times
-from timelaw.report.pictures.stereographic import choose_projection, lift, list_edges, list_vertices
+from timelaw.report.pictures.stereographic import refine
+from timelaw.report.pictures.three_sphere import WHOLE, choose_projection, lift, list_edges, list_vertices
 from timelaw.report.pictures.view import AXIS_COLOURS, View, list_faces, size_box, split_sides
 
 ROOT = Path(__file__).parent.parent
@@ -123,7 +124,7 @@ def test_the_lattices_edges_are_those_of_the_24_cell(law):
 def test_the_projection_is_stereographic(law):
     """Undone by its inverse: p = (2 x + (1 - |x|²) c)/(1 + |x|²); and the pole is far from all that is drawn."""
     points = np.concatenate([list_vertices(law), lift(law(sample_times(law)))])
-    projection = choose_projection(points)
+    projection = choose_projection(list_vertices(law), points)
     x = projection(points)
     square = np.sum(x**2, axis=1)[:, None]
     back = (2 * x @ projection.basis + (1 - square) * projection.centre) / (1 + square)
@@ -131,11 +132,38 @@ def test_the_projection_is_stereographic(law):
     assert np.max(np.linalg.norm(x, axis=1)) < 4
 
 
+def test_of_many_orientations_each_is_in_the_ball_once():
+    """The half about the first: projected, q and -q are the same point within radius one, and paths are cut there."""
+    law = make_law(20)
+    vertices = list_vertices(law)
+    assert len(vertices) > WHOLE
+    projection = choose_projection(vertices, vertices)
+    path = lift(law(sample_times(law)))
+    np.testing.assert_allclose(projection(path), projection(-path), atol=1e-12)
+    np.testing.assert_allclose(projection(law(0.0)), 0, atol=1e-12)
+    assert np.max(np.linalg.norm(projection(path), axis=1)) <= 1 + 1e-12
+    drawn = projection.trace(path)
+    whole = np.isfinite(drawn[:, 0])
+    assert 0 < np.sum(~whole) < 40
+    steps = np.linalg.norm(np.diff(drawn, axis=0), axis=1)
+    assert np.nanmax(steps) < 0.3
+
+
 def test_the_route_keeps_its_sign_from_point_to_point(law):
     path = lift(
         law(sample_times(law)) * np.random.default_rng(1).choice([-1, 1], (len(sample_times(law)), 1))
     )
     assert np.all(np.sum(path[1:] * path[:-1], axis=1) > 0)
+
+
+def test_more_points_are_put_where_the_route_runs_far_out(law):
+    times = sample_times(law)[::10]
+    points = choose_projection(list_vertices(law), lift(law(times)))(lift(law(times)))
+    finer = refine(times, points)
+    assert np.all(np.isin(times, finer))
+    assert np.all(np.diff(finer) > 0)
+    longest = np.argmax(np.linalg.norm(np.diff(points, axis=0), axis=1))
+    assert np.sum((finer > times[longest]) & (finer < times[longest + 1])) > 3
 
 
 def test_rates_keep_both_sides_of_a_jump(law):

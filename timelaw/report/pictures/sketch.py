@@ -53,12 +53,14 @@ def draw_globe(ax: Any, view: View) -> None:
     ax.plot(np.cos(ring), np.sin(ring), color=GRID, linewidth=0.8, zorder=1)
 
 
-def draw_path(ax: Any, points: Array, view: View, colour: str, width: float, *, dashed: bool) -> None:
+def draw_path(
+    ax: Any, points: Array, view: View, colour: str, width: float, *, dashed: bool, alpha: float = 1.0
+) -> None:
     """A path (m, 3) on the sphere, its far part fainter, and dashed where that can be seen."""
     near, far = split_sides(view.project(points))
     style = {"linestyle": FAR} if dashed else {}
-    ax.plot(*far.T, color=colour, alpha=0.5, linewidth=0.7 * width, zorder=2, **style)
-    ax.plot(*near.T, color=colour, linewidth=width, zorder=4)
+    ax.plot(*far.T, color=colour, alpha=0.5 * alpha, linewidth=0.7 * width, zorder=2, **style)
+    ax.plot(*near.T, color=colour, alpha=alpha, linewidth=width, zorder=4)
 
 
 def draw_dots(ax: Any, points: Array, view: View, colour: str, size: float) -> None:

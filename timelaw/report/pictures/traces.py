@@ -8,6 +8,7 @@ from timelaw.report.pictures.sketch import SIZE, WIDTH, draw_dots, draw_globe, d
 from timelaw.report.pictures.view import AXIS_COLOURS, INK, MUTED, View
 
 MANY = 60  # legs; lines of more are thin, and not dashed on the far side
+WOOL = 120.0  # opaque lines that the thin ones amount to
 EDGE = 1.08  # of the panel, in radii of the globe
 FOOT = 0.3  # inch below the globe, for what the marks are
 
@@ -20,9 +21,12 @@ def draw_traces(law: QuaternionLaw) -> Any:
     step, marks = list_marks(law)
     path, nodes, ticks = (law.rotation(times) for times in (sample_times(law), law.times, marks))
     for axis, colour in enumerate(AXIS_COLOURS):
-        draw_path(ax, path[:, :, axis], view, colour, 0.4 if many else 1.2, dashed=not many)
-        draw_dots(ax, nodes[:, :, axis], view, colour, 4 if many else 22)
-        if not many:
+        if many:
+            thin = min(WOOL / len(law.legs), 1.0)
+            draw_path(ax, path[:, :, axis], view, colour, 0.4, dashed=False, alpha=thin)
+        else:
+            draw_path(ax, path[:, :, axis], view, colour, 1.2, dashed=True)
+            draw_dots(ax, nodes[:, :, axis], view, colour, 22)
             draw_dots(ax, ticks[:, :, axis], view, colour, 5)
         letter = {"color": colour, "fontsize": 10, "weight": "bold", "ha": "left", "va": "top"}
         ax.text(-1.04 + 0.12 * axis, 1.05, "xyz"[axis], **letter)

@@ -1,5 +1,6 @@
 // The body and its way: a box with coloured axes, at the centre of the sphere or where it is in space.
 
+const WOOL = 20; // opaque lines that the traces of very many segments amount to, as many as there may be
 const EXTENT = 0.56; // half the box's diagonal, of the sphere's radius
 
 /** The three half edges as vectors of the world. */
@@ -74,7 +75,7 @@ class Sphere {
     for (let axis = 0; axis < 3; axis++) {
       drawTrace(canvas, trace, axis, 0, last, front, {
         strokeStyle: canvas.colours.axes[axis], lineWidth: many ? 1 / canvas.ratio : 1.3,
-        globalAlpha: (many ? 0.12 : 0.75) * (front ? 1 : 0.5), dash: front || many ? [] : [4, 3],
+        globalAlpha: (many ? WOOL / law.segments.length : 0.75) * (front ? 1 : 0.5), dash: front || many ? [] : [4, 3],
       }, few);
     }
     if (!many) drawNodes(canvas, trace, 0, law.segments.length, front);

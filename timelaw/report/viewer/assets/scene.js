@@ -5,7 +5,7 @@ const COARSE = 4; // points from one that is drawn to the next, of very many seg
 const DEEPEST = 12; // halvings between them
 const SPLITS = 4; // parts of a segment that are looked at in any case
 const MANY = 60; // segments; traces of more are a ball of wool, and their far side is not dashed
-const AROUND = 12; // segments before and after the present one that stand out of so many
+const AROUND = 5; // segments before and after the present one that stand out of so many
 const LIGHT = { axes: ["#b3261e", "#0b5fa5", "#1b6e3c"], omega: "#8a5200" };
 const DARK = { axes: ["#ff8a7a", "#7fb8ff", "#74d99a"], omega: "#ffc061" };
 const FACES = [0, 1, 2].flatMap((axis) => [[axis, 1], [axis, -1]]);
