@@ -28,7 +28,7 @@ SECTIONS = (
     ("Laws side by side", "curves/laws.html"),
     ("The motion", "sections/motion.html"),
     ("The motion in pictures", "sections/pictures.html"),
-    ("The motion at instants", "curves/motion.html"),
+    ("The motion at instants", "curves/instants.html"),
     ("Rates over time", "sections/rates.html"),
     ("Where the limits bind", "sections/limits.html"),
     ("Joints of the curves", "curves/joints.html"),
