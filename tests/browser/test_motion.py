@@ -174,6 +174,26 @@ def test_the_bars_are_the_certificates_numbers(browser, shown):
             assert np.max(values) == pytest.approx(check.peak, rel=1e-5)
 
 
+def test_what_is_written_beside_the_picture(browser, opened):
+    """Numbers to four digits of their bounds or greatest values; rounding is zero, and has no sign."""
+    law, _ = opened()
+    browser.evaluate(f"{PLAYER}.seek({law.duration / 3})")
+    read = "[...document.querySelectorAll('{}')].map((e) => e.textContent)"
+    omega = np.degrees(law(law.duration / 3, 1))
+    for k, (check, text) in enumerate(
+        zip(certify(law).limits, browser.evaluate(read.format("[data-bar=value]")), strict=True)
+    ):
+        value, bound = (float(part.split(" ")[0]) for part in text.split(" of "))
+        size = np.degrees(np.linalg.norm(law(law.duration / 3, k + 1)))
+        assert bound == pytest.approx(np.degrees(check.bound), rel=1e-3)
+        assert value == pytest.approx(size, abs=1e-3 * bound)
+    (written,) = browser.evaluate(read.format("[data-part=omega]"))
+    found = [float(part.replace("−", "-")) for part in written.split()]
+    np.testing.assert_allclose(found, omega, atol=0.01)
+    browser.evaluate(f"{PLAYER}.seek(0)")
+    assert browser.evaluate(read.format("[data-part=omega]")) == ["0.00  0.00  0.00"]
+
+
 @pytest.mark.parametrize("actuator", ["external", WHEELS])
 def test_torque_and_momentum_are_those_of_the_body(browser, tmp_path, actuator):
     inertia, momentum = np.array([[3.0, 0.2, 0], [0.2, 4, 0.1], [0, 0.1, 5]]), np.array([0.3, -0.2, 0.5])

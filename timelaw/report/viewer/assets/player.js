@@ -5,11 +5,13 @@ const STEEPEST = Math.PI / 2;
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000];
 const LONGEST = 90; // seconds that a motion should take to look at
 
-/** A number with three digits or so, and a true minus sign. */
-function show(number) {
-  const size = Math.abs(number);
-  const digits = size >= 1e5 || (size > 0 && size < 1e-3) ? number.toExponential(2) : number.toFixed(size < 9.995 ? 3 : size < 99.95 ? 2 : size < 999.5 ? 1 : 0);
-  return digits.replace("-", "−");
+/** A number beside one of some size, to four digits of that, with a true minus sign and no minus before zero. */
+function show(number, size) {
+  const power = Math.floor(Math.log10(size));
+  const plain = power > -5 && power < 6;
+  const kept = Math.abs(number) < 1e-4 * size ? 0 : number;
+  const text = plain ? kept.toFixed(Math.max(3 - power, 0)) : kept.toExponential(2);
+  return text.replaceAll("-", "−");
 }
 
 /** The greatest |ω| at some times. */
@@ -161,8 +163,9 @@ class Player {
     const words = `${this.time.toFixed(2)} s of ${law.duration.toFixed(2)} s, ${law.name}`;
     slider.setAttribute("aria-valuetext", words);
     this.find("words").textContent = words;
-    this.find("q").textContent = Array.from(law.q, show).join("  ");
-    this.find("omega").textContent = Array.from(law.rates[1], (w) => show((w * 180) / Math.PI)).join("  ");
+    this.find("q").textContent = Array.from(law.q, (part) => show(part, 1)).join("  ");
+    const degrees = 180 / Math.PI, fastest = law.fastest * degrees;
+    this.find("omega").textContent = Array.from(law.rates[1], (w) => show(w * degrees, fastest)).join("  ");
     for (const bar of this.bars) this.writeBar(bar);
   }
 
@@ -170,7 +173,8 @@ class Player {
     const found = this.law.measure(bar.limit), { factor, unit } = bar.limit;
     const used = found === null ? 0 : found[0] / found[1];
     bar.fill.style.transform = `scaleX(${Math.min(used, 1)})`;
-    const text = found === null ? "no limit here" : `${show(found[0] * factor)} of ${show(found[1] * factor)} ${unit}`;
+    const numbers = (found ?? []).map((part) => show(part * factor, found[1] * factor));
+    const text = found === null ? "no limit here" : `${numbers.join(" of ")} ${unit}`;
     if (text !== bar.text) bar.value.textContent = bar.text = text;
   }
 
