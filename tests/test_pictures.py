@@ -210,6 +210,29 @@ def test_what_cannot_be_drawn_is_refused(arguments, message, capsys, tmp_path, m
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.parametrize("command", [["plot", "-o", "out.svg"], ["animate", "-o", "out.gif"]])
+def test_a_law_without_an_orientation_somewhere_is_refused(command, capsys, tmp_path, monkeypatch):
+    """Q runs through zero in the middle of the third leg."""
+    monkeypatch.chdir(tmp_path)
+    document = json.loads((ROOT / "results/paper-24-cell-through/law.json").read_text())
+    piece = document["segments"][2]["pieces"][0]
+    piece["control"] = [[0.0] * 4 for _ in piece["control"]]
+    Path("law.json").write_text(json.dumps(document))
+    assert run_command([command[0], "law.json", *command[1:]]) == 2
+    assert (
+        "nothing can be drawn at t = 4.55763 s; timelaw verify says what is wrong" in capsys.readouterr().err
+    )
+    assert [path.name for path in tmp_path.iterdir()] == ["law.json"]
+
+
+def test_labels_of_other_scripts_are_drawn_without_a_word(law):
+    odd = replace(law.segments[0], origin="目标 😀 \u202e")
+    changed = replace(law, segments=(odd, *law.segments[1:]))
+    assert "目标" in render_picture(changed, "frames", ".svg").decode()
+    for suffix in (".png", ".pdf"):
+        assert render_picture(changed, "frames", suffix)
+
+
 def test_the_command_writes_the_picture_and_says_so(capsys, tmp_path):
     file = tmp_path / "new" / "out.SVG"
     assert run_command(["plot", str(LAW), "--what", "frames", "-o", str(file), "--json"]) == 0

@@ -152,6 +152,19 @@ def test_the_mouse_turns_the_view_and_the_picture_changes(browser, opened):
     assert len(set(pictures)) == 3
 
 
+def test_a_finger_turns_the_view(browser, tmp_path):
+    browser.open(write_page(read_law(LAWS["arcs"])[0], tmp_path / "page.html"), WIDTHS[0])
+    before = browser.evaluate(f"{PLAYER}.canvas.azimuth")
+    for kind, points in (
+        ("touchStart", [{"x": 150, "y": 150}]),
+        ("touchMove", [{"x": 190, "y": 150}]),
+        ("touchEnd", []),
+    ):
+        browser.send("Input.dispatchTouchEvent", type=kind, touchPoints=points)
+    assert browser.evaluate(f"{PLAYER}.canvas.azimuth") < before - 0.1
+    assert browser.evaluate("scrollY") == 0
+
+
 def test_the_bars_are_the_certificates_numbers(browser, shown):
     """At the instant of a proved peak the bar of that limit shows the peak, on one side of it if rates jump."""
     law, _, _ = shown

@@ -14,12 +14,14 @@ def run(path: str, output: str, *, rate: float, speed: float, size: int, as_json
     """Film the law file at `path`; returns the exit code."""
     from timelaw.report.animation.film import Film
     from timelaw.report.animation.formats import FORMATS
+    from timelaw.report.pictures.sampling import refuse_undefined
 
     file = Path(output)
     suffix = file.suffix.lower()
     if suffix not in FORMATS:
         raise InputError(f'-o "{shorten(output)}": a name that ends in {", ".join(FORMATS)} is needed')
     law, _ = read_law(Path(path))
+    refuse_undefined(law)
     film = Film(law, rate, speed, size)
     if film.count > MOST_FRAMES:
         least = law.duration * rate / MOST_FRAMES

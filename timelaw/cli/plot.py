@@ -12,6 +12,7 @@ def run(path: str, what: str, output: str, *, as_json: bool) -> int:
     """Draw the law file at `path`; returns the exit code."""
     from timelaw.report.pictures.registry import PICTURES
     from timelaw.report.pictures.render import SUFFIXES, render_picture
+    from timelaw.report.pictures.sampling import refuse_undefined
 
     if what not in PICTURES:
         raise InputError(f'--what "{shorten(what)}": allowed: {", ".join(PICTURES)}')
@@ -19,6 +20,7 @@ def run(path: str, what: str, output: str, *, as_json: bool) -> int:
     if file.suffix.lower() not in SUFFIXES:
         raise InputError(f'-o "{shorten(output)}": a name that ends in {", ".join(SUFFIXES)} is needed')
     law, _ = read_law(Path(path))
+    refuse_undefined(law)
     write_file(file, render_picture(law, what, file.suffix.lower()))
     say(f"{PICTURES[what].title.lower()}: {file}")
     if as_json:

@@ -2,6 +2,7 @@
 
 import io
 import re
+import warnings
 from html import escape
 
 from timelaw.motion import QuaternionLaw
@@ -32,7 +33,9 @@ def render_picture(law: QuaternionLaw, name: str, suffix: str) -> bytes:
 
     picture = PICTURES[name]
     content = io.BytesIO()
-    with mpl.rc_context({**STYLE, "svg.hashsalt": name}):
+    with mpl.rc_context({**STYLE, "svg.hashsalt": name}), warnings.catch_warnings():
+        # letters of labels: the reader of an SVG has them, elsewhere a box stands for what no font has
+        warnings.filterwarnings("ignore", message="Glyph .* missing from font")
         figure = picture.draw(law)
         figure.savefig(content, format=suffix[1:], dpi=DOTS, metadata=METADATA[suffix])
     if suffix != ".svg":

@@ -4,11 +4,14 @@ from math import floor, log10
 
 import numpy as np
 
+from timelaw.errors import InputError
 from timelaw.motion import QuaternionLaw
 from timelaw.numerics.array import Array
 
 FINE, COARSE = 48, 12  # points of a leg, in a motion of few legs and of very many
 MOST_POINTS = 6000  # of a line that is still a small file
+DRAWN = range(4)  # q, ω, α, jerk
+HUGE = 1e100  # sums of squares of what is less stay finite
 MARKS = 40  # about as many marks of time as can be told apart along a motion
 
 
@@ -22,6 +25,22 @@ def sample_times(law: QuaternionLaw) -> Array:
         for segment in law.segments
     ]
     return np.append(np.concatenate(parts), law.duration)
+
+
+def refuse_undefined(law: QuaternionLaw) -> None:
+    """Say where a law that was read from a file has no orientation, place or rates that could be drawn.
+
+    Raises:
+        InputError: it has none at some instant that is looked at.
+    """
+    times = sample_times(law)
+    with np.errstate(all="ignore"):
+        values = [law(times, order) for order in DRAWN] + ([law.place(times)] if law.travels else [])
+    for value in values:
+        wrong = ~np.all(np.abs(value) < HUGE, axis=-1)  # what is no number is not less
+        if np.any(wrong):
+            where = f"{law.name}: nothing can be drawn at t = {times[np.argmax(wrong)]:.6g} s"
+            raise InputError(f"{where}; timelaw verify says what is wrong")
 
 
 def choose_step(duration: float, count: int = MARKS) -> float:

@@ -9,6 +9,7 @@ from timelaw.numerics.array import Array
 from timelaw.report.pictures.sampling import list_marks, sample_times
 from timelaw.report.pictures.sketch import SIZE, WIDTH, make_panel
 from timelaw.report.pictures.three_sphere import (
+    MOST,
     choose_projection,
     lift,
     list_edges,
@@ -20,7 +21,6 @@ from timelaw.report.pictures.view import GRID, INK, MUTED, OMEGA, View
 FINEST = 0.02  # of the picture, between two points of the route
 MOST_BETWEEN = 24  # points that are put between two
 MANY = 60  # legs; of more the line is thin, the nodes are small
-EDGES_FOR = 600  # vertices; the edges of more are a grey ball
 FOOT = 0.3  # inch, for what the marks are
 SHADES = 0.12, 0.5  # of edges, from the farthest to the nearest
 ROUTE = OMEGA
@@ -33,7 +33,7 @@ def draw_stereographic(law: QuaternionLaw) -> Any:
     many = len(law.legs) > MANY
     figure, ax = make_panel(WIDTH, WIDTH + FOOT)
     view, vertices = View(), list_vertices(law)
-    arcs = trace_edges(vertices, list_edges(vertices) if len(vertices) <= EDGES_FOR else NONE)
+    arcs = trace_edges(vertices, list_edges(vertices) if len(vertices) <= 2 * MOST else NONE)
     step, marks = list_marks(law)
     times = np.unique(np.concatenate([sample_times(law), marks, law.times]))
     path = lift(law(times))

@@ -16,6 +16,7 @@ from timelaw.numerics.quaternion import normalise
 SAME = 1e-6  # rad on S³; vertices that close are one, and edges that much longer than the shortest are edges
 POINTS, MOST_POINTS = (12, 24), 6000  # of an edge, few where there are many; of all together
 DIRECTIONS, ROUNDS, TRIES = 2000, 12, 60  # tried as a centre: at large, then around the best, ever nearer
+MOST = 300  # orientations; the edges between more are a grey ball
 WHOLE = 24  # vertices; of more only half of S³ is shown
 
 
@@ -64,13 +65,15 @@ def _complete(centre: Array, *, folded: bool) -> Projection:
 
 
 def list_vertices(law: QuaternionLaw) -> Array:
-    """Both quaternions (2m, 4) of each orientation among the nodes, none twice."""
+    """Both quaternions (2m, 4) of each orientation among the nodes, none twice; one more than `MOST` at most."""
     nodes = law(law.times)
-    kept: list[int] = []
-    for k, node in enumerate(nodes):
-        if not kept or np.max(np.abs(nodes[kept] @ node)) < np.cos(SAME):
-            kept.append(k)
-    return np.concatenate([nodes[kept], -nodes[kept]])
+    kept = nodes[:1]
+    for node in nodes[1:]:
+        if np.max(np.abs(kept @ node)) < np.cos(SAME):
+            kept = np.vstack([kept, node])
+        if len(kept) > MOST:
+            break
+    return np.concatenate([kept, -kept])
 
 
 def list_edges(vertices: Array) -> NDArray[np.int64]:
