@@ -65,7 +65,7 @@ def _complete(centre: Array, *, folded: bool) -> Projection:
 
 
 def list_vertices(law: QuaternionLaw) -> Array:
-    """Both quaternions (2m, 4) of each orientation among the nodes, none twice; one more than `MOST` at most."""
+    """Both quaternions (2m, 4) of each orientation of the nodes, none twice; one more than `MOST` at most."""
     nodes = law(law.times)
     kept = nodes[:1]
     for node in nodes[1:]:
