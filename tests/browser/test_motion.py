@@ -10,13 +10,16 @@ import pytest
 from tests.browser.layout import WIDTHS, measure_layout
 from tests.browser.pages import make_law, write_page
 from timelaw.certificate import certify
-from timelaw.law_file import read_law
+from timelaw.law_file import from_document, read_law
 from timelaw.limits.body import WHEELS, RigidBody
+from timelaw.numerics.bernstein import elevate
 
 ROOT = Path(__file__).parents[2]
+UNEVEN = "pieces of more than one degree"
 LAWS = {
     "arcs": ROOT / "results/paper-24-cell/law.json",
     "through": ROOT / "results/paper-24-cell-through/law.json",
+    UNEVEN: ROOT / "tests/fuzz/corpus/law/spline.json",
     **{
         name: ROOT / f"tests/fuzz/corpus/law/{name}.json"
         for name in ("arcs-and-curves", "curves", "moving", "points", "spline")
@@ -35,6 +38,11 @@ STATES = """(times) => times.map((t) => {
 @pytest.fixture(scope="module", params=LAWS)
 def shown(request, browser, tmp_path_factory):
     law, document = read_law(LAWS[request.param])
+    if request.param == UNEVEN:
+        for segment in document["segments"]:
+            piece = segment["pieces"][len(segment["pieces"]) // 2]
+            piece["bernstein"] = elevate(piece["bernstein"], len(piece["bernstein"]) + 1).tolist()
+        law = from_document(document)
     page = write_page(law, tmp_path_factory.mktemp("pages") / f"{request.param}.html")
     browser.open(page, WIDTHS[1])
     return law, document, page

@@ -1,7 +1,8 @@
 """A law's segments as one table of doubles, bit for bit, in which equal runs of pieces stand once.
 
 A segment's record is its start time, its duration and what its kind has besides; the pieces it refers to by
-where they begin: how many, then of each its duration, two counts, and as many rows of numbers.
+where they begin: how many, two counts of rows, then of each piece its duration and the rows. Where pieces
+differ in their counts these are zero, and each has its own after its duration.
 """
 
 import base64
@@ -42,10 +43,9 @@ class Table:
 
 
 def _list_arc(document: dict[str, Any], table: Table) -> list[float]:
-    pieces = [float(len(document["pieces"]))]
-    for p in document["pieces"]:
-        pieces += [p["duration"], len(p["state"]), len(p["bernstein"]), *p["state"], *p["bernstein"]]
-    return [*document["start"], *document["end"], *document["axis"], table.append_once(pieces)]
+    pieces = [(p["duration"], p["state"], p["bernstein"]) for p in document["pieces"]]
+    track = table.append_once(_join_pieces(pieces, [(len(s), len(b)) for _, s, b in pieces]))
+    return [*document["start"], *document["end"], *document["axis"], track]
 
 
 def _list_dwell(document: dict[str, Any], table: Table) -> list[float]:  # noqa: ARG001
@@ -53,12 +53,23 @@ def _list_dwell(document: dict[str, Any], table: Table) -> list[float]:  # noqa:
 
 
 def _list_rational(document: dict[str, Any], table: Table) -> list[float]:
-    pieces = [float(len(document["pieces"]))]
+    pieces, counts = [], []
     for p in document["pieces"]:
         control, points = _level(np.array(p["control"]), np.array(p.get("points", [])).reshape(-1, 3))
-        pieces += [p["duration"], len(control), len(points), *control.ravel().tolist()]
-        pieces += points.ravel().tolist()
-    return [*document["start"], *document["end"], table.append_once(pieces)]
+        pieces.append((p["duration"], control.ravel().tolist(), points.ravel().tolist()))
+        counts.append((len(control), len(points)))
+    return [*document["start"], *document["end"], table.append_once(_join_pieces(pieces, counts))]
+
+
+def _join_pieces(
+    pieces: Sequence[tuple[float, list[float], list[float]]], counts: Sequence[tuple[int, int]]
+) -> list[float]:
+    """Durations and rows of all pieces, and their counts, once if they are alike."""
+    alike = len(set(counts)) == 1
+    numbers: list[float] = [len(pieces), *(counts[0] if alike else (0, 0))]
+    for (duration, rows, others), own in zip(pieces, counts, strict=True):
+        numbers += [duration, *(() if alike else own), *rows, *others]
+    return numbers
 
 
 def _level(control: Array, points: Array) -> tuple[Array, Array]:

@@ -54,15 +54,19 @@ function locate(track, tau) {
   return [low, Math.min(Math.max(u, 0), 1)];
 }
 
-/** Pieces from an offset on: how many, then each with its duration, two counts, and numbers of both. */
+/** Pieces from an offset on: how many, two counts of rows, then each piece's duration and its rows.
+
+    Where the counts are not those of all pieces they are zero, and each piece has its own after its duration. */
 function readTrack(numbers, offset, width, otherWidth) {
-  const count = numbers[offset], places = [];
+  const count = numbers[offset], alike = numbers[offset + 1] + numbers[offset + 2] > 0, places = [];
   const breaks = new Float64Array(count + 1);
-  let at = offset + 1;
+  let at = offset + 3;
   for (let k = 0; k < count; k++) {
-    places.push(at);
+    const counts = alike ? offset + 1 : at + 1, rows = numbers[counts], others = numbers[counts + 1];
+    const from = at + (alike ? 1 : 3);
+    places.push({ duration: numbers[at], rows, others, from, next: from + width * rows });
     breaks[k + 1] = breaks[k] + numbers[at];
-    at += 3 + width * numbers[at + 1] + otherWidth * numbers[at + 2];
+    at = from + width * rows + otherWidth * others;
   }
   const total = breaks[count];
   for (let k = 1; k < count; k++) breaks[k] /= total;
@@ -71,13 +75,13 @@ function readTrack(numbers, offset, width, otherWidth) {
 }
 
 /** The k-th derivative of the angle: its state at a piece's start, and the next derivative integrated. */
-function integrateAngle(numbers, at, order, u) {
-  const duration = numbers[at], states = numbers[at + 1], from = at + 3 + states;
-  let count = numbers[at + 2];
-  if (order >= states) return derive(numbers, from, count, 1, order - states, u, duration);
-  for (let i = 0; i < count; i++) work[i] = numbers[from + i];
-  for (let level = states - 1; level >= order; level--) {
-    let sum = numbers[at + 3 + level];
+function integrateAngle(numbers, piece, order, u) {
+  const { duration, rows, others, from, next } = piece;
+  if (order >= rows) return derive(numbers, next, others, 1, order - rows, u, duration);
+  let count = others;
+  for (let i = 0; i < count; i++) work[i] = numbers[next + i];
+  for (let level = rows - 1; level >= order; level--) {
+    let sum = numbers[from + level];
     for (let i = 0; i < count; i++) {
       const step = (work[i] * duration) / count;
       work[i] = sum;
@@ -137,10 +141,9 @@ function readRational(numbers, offset, tracks) {
   const curve = Array.from({ length: HIGHEST + 1 }, () => new Float64Array(4));
   const square = new Float64Array(HIGHEST + 1);
 
-  function deriveCurve(at, highest, u) {
-    const duration = numbers[at], count = numbers[at + 1];
+  function deriveCurve({ duration, rows, from }, highest, u) {
     for (let k = 0; k <= highest; k++) {
-      for (let i = 0; i < 4; i++) curve[k][i] = derive(numbers, at + 3 + i, count, 4, k, u, duration);
+      for (let i = 0; i < 4; i++) curve[k][i] = derive(numbers, from + i, rows, 4, k, u, duration);
     }
     for (let k = 0; k <= highest; k++) {
       square[k] = 0;
@@ -185,11 +188,10 @@ function readRational(numbers, offset, tracks) {
       }
     },
     move(tau, places) {
-      const [piece, u] = locate(track, tau), at = track.places[piece];
-      const from = at + 3 + 4 * numbers[at + 1], count = numbers[at + 2];
-      deriveCurve(at, 2, u);
+      const [piece, u] = locate(track, tau), { duration, others, next } = track.places[piece];
+      deriveCurve(track.places[piece], 2, u);
       for (let k = 0; k <= 2; k++) {
-        for (let j = 0; j < 3; j++) places[k][j] = derive(numbers, from + j, count, 3, k, u, numbers[at]);
+        for (let j = 0; j < 3; j++) places[k][j] = derive(numbers, next + j, others, 3, k, u, duration);
         divide(places, 0, k);
       }
     },
