@@ -1,5 +1,6 @@
 """Lines, boxes and letters on an image that is drawn larger than it is shown, so that edges are smooth."""
 
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -30,7 +31,8 @@ class Pen:
 
         self.pixels = size * LARGER
         self.view = view
-        self.image = Image.new("RGBA", (self.pixels, self.pixels), (255, 255, 255, 0 if clear else 255))
+        mode, ground = ("RGBA", (255, 255, 255, 0)) if clear else ("RGB", PAPER)
+        self.image = Image.new(mode, (self.pixels, self.pixels), ground)
         self._draw: Any = ImageDraw.Draw(self.image)
 
     def copy(self) -> "Pen":
@@ -109,13 +111,19 @@ class Pen:
         place = (edge, self.pixels - edge)
         self._draw.text(place, text, fill=colour, font=load_font(self.pixels, bold=False), anchor="ls")
 
+    @cached_property
+    def sheet(self) -> tuple[Any, Any]:
+        """A finished drawing on clear ground: its colours, and how thick they are."""
+        return self.image.convert("RGB"), self.image.getchannel("A")
+
     def lay_over(self, other: "Pen") -> None:
-        """Another drawing over this one."""
-        self.image.alpha_composite(other.image)
+        """A finished drawing on clear ground over this one."""
+        colours, thickness = other.sheet
+        self.image.paste(colours, (0, 0), thickness)
 
     def finish(self) -> Any:
         """The image as it is shown."""
-        return self.image.convert("RGB").reduce(LARGER)
+        return self.image.reduce(LARGER)
 
 
 def load_font(pixels: int, *, bold: bool) -> Any:
