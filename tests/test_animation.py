@@ -58,6 +58,7 @@ def test_frames_are_at_a_steady_rate_and_the_last_is_the_end(film):
 @pytest.mark.parametrize("write", [write_gif, write_webp])
 def test_what_is_read_back_is_what_was_drawn(film, write):
     expected = np.array(film.palette.getpalette(), dtype=np.uint8).reshape(-1, 3)
+    assert tuple(expected[next(film.reduce_frames())[0, -1]]) == (255, 255, 255)
     with Image.open(io.BytesIO(write(film))) as read:
         assert (read.n_frames, read.info["loop"]) == (film.count, 0)
         shown = 0

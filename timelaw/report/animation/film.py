@@ -17,8 +17,9 @@ from timelaw.report.animation.stage import SpaceStage, SphereStage
 Pixels = NDArray[np.uint8]
 HOLD = 1.0  # seconds that the last frame stays
 NEAR_END = 1e-6  # of a frame: one that close to the end is the end, but for rounding
-COLOURS = 127  # of a palette, and one that is see-through
-SAMPLED = 6  # frames from which the palette is taken
+COLOURS = 255  # of a palette, and one that is see-through
+WHITE = (255, 255, 255)
+SAMPLED = 12  # frames from which the palette is taken
 
 
 @dataclass(frozen=True)
@@ -69,9 +70,14 @@ class Film:
         strip = Image.new("RGB", (self.size * SAMPLED, self.size))
         for number, t in enumerate(np.linspace(0.0, self.law.duration, SAMPLED).tolist()):
             strip.paste(self._draw(t), (number * self.size, 0))
-        return strip.quantize(COLOURS)
+        found: Any = strip.quantize(COLOURS - 1)
+        found.putpalette([*found.getpalette()[: 3 * (COLOURS - 1)], *WHITE])
+        return found
 
     def reduce_frames(self, progress: Progress | None = None) -> Iterator[Pixels]:
         """The frames as indices (size, size) of the palette's colours."""
         for image in self.draw_frames(progress):
-            yield np.array(image.quantize(palette=self.palette, dither=0), dtype=np.uint8)
+            pixels = np.array(image.quantize(palette=self.palette, dither=0), dtype=np.uint8)
+            # Pillow takes one colour for all that are nearly alike; the ground is to be as white as the page
+            pixels[np.all(np.asarray(image) == WHITE, axis=-1)] = COLOURS - 1
+            yield pixels

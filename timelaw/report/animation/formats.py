@@ -17,7 +17,7 @@ from timelaw.progress import Progress
 from timelaw.report.animation.change import CLEAR, list_changes
 from timelaw.report.animation.film import HOLD, Film
 
-BITS = 7  # of a pixel in a GIF: 128 colours
+BITS = 8  # of a pixel in a GIF: 256 colours
 FOREVER = b"\x21\xff\x0bNETSCAPE2.0\x03\x01\x00\x00\x00"
 ANIMATED, TRANSPARENT = 0x02, 0x10  # of a WebP's head
 QUIET = ("-hide_banner", "-loglevel", "error", "-y")
@@ -45,7 +45,7 @@ def write_gif(film: Film, progress: Progress | None = None) -> bytes:
 
 
 def _list_colours(film: Film) -> bytes:
-    """128 colours of three bytes, the last of them never seen."""
+    """256 colours of three bytes, the last of them never seen."""
     found = bytes(film.palette.getpalette()[: 3 * CLEAR])
     return found.ljust(3 << BITS, b"\0")
 
