@@ -22,7 +22,7 @@ def run(path: str, what: str, output: str, *, as_json: bool) -> int:
     law, _ = read_law(Path(path))
     refuse_undefined(law)
     write_file(file, render_picture(law, what, file.suffix.lower()))
-    say(f"{PICTURES[what].title.lower()}: {file}")
+    say(f"{PICTURES[what].title}: {file}")
     if as_json:
         print_json({"ok": True, "exit_code": EXIT_DONE, "name": law.name, "files": [str(file)]})
     return EXIT_DONE
