@@ -176,9 +176,9 @@ def test_rates_keep_both_sides_of_a_jump(law):
 
 def test_what_is_embedded_takes_the_pages_colours_and_leaves_no_identifier(law):
     text = embed_picture(law, "traces")
-    assert text.startswith("<svg role=")
-    assert "var(--axis-x, #b3261e)" in text
-    assert not re.search(rf"(?<!, )(?:{'|'.join(THEME)})\b", text)
+    assert re.match(r'<svg [^>]*role="img"', text)
+    assert "var(--axis-x)" in text
+    assert not re.search(rf"(?:{'|'.join(THEME)})\b", text)
     assert not re.search(r' id="(?:figure|axes|text|line2d|patch)', text)
     assert ET.fromstring(text.replace("xlink:href", "href")) is not None
 

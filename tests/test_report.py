@@ -389,7 +389,7 @@ def test_every_picture_has_a_title_and_says_what_it_shows(files):
         assert re.search(r'role="img".*<title id=.*</title>\s*<desc id=.*</desc>', svg, flags=re.S)
     told = re.search(r"<desc[^>]*>(.*?)</desc>", files["rates.svg"], flags=re.S)[1]
     assert "angular acceleration [deg/s²] at most 112.56 of 120" in told
-    assert len(re.findall(r"<figcaption>", files["report.html"])) == 4
+    assert len(re.findall(r"<figcaption>", files["report.html"])) == 4 + 3
 
 
 def test_colours_are_the_pages_and_every_one_has_a_dark_twin(files):

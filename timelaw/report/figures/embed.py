@@ -1,6 +1,7 @@
 """Pictures inside a page: its colours, identifiers of their own, a title and a description."""
 
 import re
+from collections.abc import Mapping
 from html import escape
 
 from timelaw.report.figures.style import THEME
@@ -18,15 +19,15 @@ def describe_picture(svg: str, key: str, title: str, description: str) -> str:
     return svg[:head] + told + svg[head + 1 :]
 
 
-def inline_picture(svg: str, key: str) -> str:
-    """The same for a page: its colours are the page's, and no identifier is that of another picture."""
+def inline_picture(svg: str, key: str, theme: Mapping[str, str] = THEME) -> str:
+    """The same for a page: colours of a theme are the page's, no identifier is that of another picture."""
     text = svg[svg.index("<svg") :]
     text = re.sub(r"<metadata>.*?</metadata>", "", text, count=1, flags=re.S)
     text = re.sub(r'\s*<defs>\s*<style type="text/css">.*?</style>\s*</defs>', "", text, count=1, flags=re.S)
     head = text.index(">")
     opening = re.sub(r' (?:width|height|version|xmlns(?::xlink)?)="[^"]*"', "", text[:head])
     text = f'{opening} style="{JOINED}"' + text[head:]
-    return _name_colours(_own_identifiers(text, key)).replace("xlink:href", "href")
+    return _name_colours(_own_identifiers(text, key), theme).replace("xlink:href", "href")
 
 
 def _own_identifiers(text: str, key: str) -> str:
@@ -40,6 +41,6 @@ def _own_identifiers(text: str, key: str) -> str:
     return re.sub(r'(url\(#|href="#)', rf"\1{key}-", text)
 
 
-def _name_colours(text: str) -> str:
+def _name_colours(text: str, theme: Mapping[str, str]) -> str:
     """Each colour of the theme by its name; what the theme does not know stays."""
-    return re.sub(r"#[0-9a-f]{6}\b", lambda m: f"var(--{THEME[m[0]]})" if m[0] in THEME else m[0], text)
+    return re.sub(r"#[0-9a-f]{6}\b", lambda m: f"var(--{theme[m[0]]})" if m[0] in theme else m[0], text)

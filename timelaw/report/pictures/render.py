@@ -1,11 +1,10 @@
 """A picture of a law as the content of a file: SVG, PNG or PDF, the same for the same law."""
 
 import io
-import re
 import warnings
-from html import escape
 
 from timelaw.motion import QuaternionLaw
+from timelaw.report.figures.embed import describe_picture, inline_picture
 from timelaw.report.pictures.registry import PICTURES
 from timelaw.report.pictures.sketch import STYLE
 from timelaw.report.pictures.view import AXIS_COLOURS, GRID, INK, MUTED, OMEGA, PAPER
@@ -40,20 +39,10 @@ def render_picture(law: QuaternionLaw, name: str, suffix: str) -> bytes:
         figure.savefig(content, format=suffix[1:], dpi=DOTS, metadata=METADATA[suffix])
     if suffix != ".svg":
         return content.getvalue()
-    told = f"<title>{escape(picture.title)}</title><desc>{escape(picture.describe(law))}</desc>"
     text = content.getvalue().decode()
-    head = text.index(">", text.index("<svg")) + 1
-    return f"{text[:head]}\n{told}{text[head:]}".encode()
+    return describe_picture(text, f"view-{name}", picture.title, picture.describe(law)).encode()
 
 
 def embed_picture(law: QuaternionLaw, name: str) -> str:
-    """The SVG as a part of a page: named colours are the page's, identifiers that nothing refers to go."""
-    text = render_picture(law, name, ".svg").decode()
-    text = re.sub(r"\s*<metadata>.*?</metadata>", "", text[text.index("<svg") :], count=1, flags=re.DOTALL)
-    text = re.sub(r' (?:width|height)="[^"]*pt"', "", text, count=2)
-    referred = set(re.findall(r'(?:url\(#|href="#)([^)"]+)', text))
-    text = re.sub(r' id="([^"]+)"', lambda found: found[0] if found[1] in referred else "", text)
-    text = text.replace("<svg ", f'<svg role="img" aria-label="{escape(PICTURES[name].describe(law))}" ', 1)
-    return re.sub(
-        r"#[0-9a-f]{6}\b", lambda m: f"var(--{THEME[m[0]]}, {m[0]})" if m[0] in THEME else m[0], text
-    )
+    """The SVG as a part of a page."""
+    return inline_picture(render_picture(law, name, ".svg").decode(), f"view-{name}", THEME)
