@@ -32,7 +32,7 @@ def list_tiles(design: Design, rows: Sequence[LawRow]) -> list[Tile]:
         Tile(f"{write_number(law.duration)} s", "total time" + ("" if gain is None else ", as asked"))
     )
     tiles += show_motion_time(law)
-    if isfinite(best.to_limit) and design.through is None:
+    if isfinite(best.to_limit) and design.through is None and gain is None:
         tiles.append(Tile(f"+{100 * (best.to_limit - 1):.2f} %", "time above the physical limit"))
     tiles.append(Tile(f"C{best.continuity}", f"{CONTINUOUS[best.continuity]} without jumps"))
     return tiles
