@@ -64,7 +64,8 @@ def _sentence(tour: Tour, merit: Merit) -> str:
     if not isfinite(merit.gap):
         return f"{what} {value}; no bound is known for how much {comparative} a tour can be"
     if merit.proof == MINIMAL:
-        legs = f"{tour.legs} leg{'s' if tour.legs > 1 else ''} × the minimal distance {np.degrees(tour.minimal):.6g}°"
+        count = f"{tour.legs} leg{'s' if tour.legs > 1 else ''}"
+        legs = f"{count} × the minimal distance {np.degrees(tour.minimal):.6g}°"
         if merit.is_best:
             return f"no tour is shorter: {legs} = {value}"
         bound = f"{legs} = {bound}"
