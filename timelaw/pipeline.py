@@ -10,6 +10,7 @@ from timelaw.compose import compose_law
 from timelaw.easing.family import Family
 from timelaw.errors import Fault, InputError
 from timelaw.motion import QuaternionLaw
+from timelaw.motion.cycle import stretch_to_cycle
 from timelaw.nlp import Timings, optimise
 from timelaw.nlp.solution import sum_durations
 from timelaw.numerics.threads import on_one_thread
@@ -100,7 +101,7 @@ def design_layout(layout: Layout, progress: Progress | None = None) -> Design:
     tell(progress, "proving the laws")
     time_law = TimeLaw(OPTIMISED_LAW, solution.timings, layout.requirements.dwells)
     optimised = certify_time_law(layout, time_law, problem.nodes.continuity)
-    return _set_beside(layout, family, solution, optimised)
+    return _set_beside(layout, family, solution, end_on_cycle(problem, optimised))
 
 
 def design_through(layout: Layout, progress: Progress | None = None) -> Design:
@@ -117,7 +118,7 @@ def design_through(layout: Layout, progress: Progress | None = None) -> Design:
     shown = found.family.rigid and "double-s" in problem.baselines  # as a baseline
     kept = replace(layout, requirements=found.kept)
     beside = [] if shown else [certify_time_law(kept, stops)]
-    optimised = Certified(OPTIMISED_LAW, found.law, found.certificate)
+    optimised = end_on_cycle(problem, Certified(OPTIMISED_LAW, found.law, found.certificate))
     return _set_beside(layout, found.family, found.solution, optimised, beside, found.through)
 
 
@@ -151,6 +152,14 @@ def _set_beside(
         baselines=(*beside, *baselines),
         through=through,
     )
+
+
+def end_on_cycle(problem: Problem, certified: Certified) -> Certified:
+    """The law stretched to a multiple of the control cycle that is asked for, proved again."""
+    if problem.output.grid is None:
+        return certified
+    law = stretch_to_cycle(certified.law, problem.output.grid)
+    return replace(certified, law=law, certificate=certify(law))
 
 
 def _refuse_unresolved(optimised: Certified) -> None:

@@ -26,7 +26,7 @@ from timelaw.motion.rational_document import MOST_CONTROL, MOST_POINTS
 from timelaw.numerics.array import Array
 from timelaw.numerics.quaternion import rotation_matrix
 from timelaw.numerics.threads import on_one_thread
-from timelaw.pipeline import Certified
+from timelaw.pipeline import Certified, end_on_cycle
 from timelaw.problem import Problem, Source
 from timelaw.progress import Progress, tell
 from timelaw.time_law.baselines import PAPER_CONTINUITY, QUINTIC
@@ -105,7 +105,7 @@ def design_curves(
             for one, run, new in zip(found, runs, proved, strict=True)
         )
         timings = tuple(t for run, choice in zip(runs, proved, strict=True) for t in choice.timings(run))
-        optimised = Certified(OPTIMISED_LAW, law, certify(law))
+        optimised = end_on_cycle(problem, Certified(OPTIMISED_LAW, law, certify(law)))
         baselines = [_make_quintic(problem, legs)] if QUINTIC in problem.baselines else []
     went = tuple(passage is not None for passage in passages)
     return BezierDesign(

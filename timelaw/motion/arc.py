@@ -2,7 +2,7 @@
 
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import pairwise
 from typing import Annotated, Any, ClassVar, Literal
@@ -187,6 +187,11 @@ class Arc(Moving):
     def own_checks(self) -> Iterator[Discrepancy]:
         """Whether the pieces' durations add up."""
         yield self.check_filled(piece.duration for piece in self.profile.pieces)
+
+    def stretched(self, factor: float, start_time: float) -> "Arc":
+        """The same turn `factor` times as slow, from `start_time` [s]."""
+        profile = self.profile.scaled(1.0, factor)
+        return replace(self, start_time=start_time, duration=self.duration * factor, profile=profile)
 
     def document(self) -> dict[str, Any]:
         """As the law file has it."""

@@ -1,7 +1,7 @@
 """Segments of kind `dwell`: the body rests at a node."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Any, ClassVar, Literal
 
@@ -141,6 +141,10 @@ class Dwell:
     def own_checks(self) -> Iterator[Discrepancy]:
         """None."""
         yield from ()
+
+    def stretched(self, factor: float, start_time: float) -> "Dwell":  # noqa: ARG002
+        """The same rest, as long, from `start_time` [s]."""
+        return replace(self, start_time=start_time)
 
     def document(self) -> dict[str, Any]:
         """As the law file has it."""

@@ -179,6 +179,15 @@ class Rational(Moving):
         """Whether the pieces' durations add up."""
         yield self.check_filled(piece.duration for piece in self.pieces)
 
+    def stretched(self, factor: float, start_time: float) -> "Rational":
+        """The same curve `factor` times as slow, from `start_time` [s]: its control points stay."""
+        pieces = tuple(replace(piece, duration=piece.duration * factor) for piece in self.pieces)
+        origins = tuple(
+            replace(origin, turn=piece) for origin, piece in zip(self.origins, pieces, strict=False)
+        )
+        duration = self.duration * factor
+        return replace(self, start_time=start_time, duration=duration, pieces=pieces, origins=origins)
+
     def document(self) -> dict[str, Any]:
         """As the law file has it."""
         pieces = [{"duration": p.duration, "control": p.control.tolist()} for p in self.pieces]

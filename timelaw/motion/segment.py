@@ -174,6 +174,10 @@ class Segment(Protocol):
         """What else must be true of this kind."""
         ...
 
+    def stretched(self, factor: float, start_time: float) -> Self:
+        """The same motion `factor` times as slow, from `start_time` [s]; a rest lasts as long as it did."""
+        ...
+
     def document(self) -> dict[str, Any]:
         """As the law file has it."""
         ...

@@ -12,13 +12,13 @@ from timelaw.limits.registry import POINT
 from timelaw.objectives import OBJECTIVES
 from timelaw.problem.bezier import refuse_unfit
 from timelaw.problem.body import Body
-from timelaw.problem.fields import Model, as_tuple, fault, one_of, percentage, quantity
+from timelaw.problem.fields import Model, as_tuple, fault, one_of, percentage
 from timelaw.problem.limits import Limits
 from timelaw.problem.motion import LEAST_DEGREES, Motion, read_motion
 from timelaw.problem.nodes import Nodes, SegmentRule
 from timelaw.problem.objective import Goal, read_goal
+from timelaw.problem.output import Output, refuse_grid
 from timelaw.problem.route import RouteModel
-from timelaw.units import FREQUENCY
 
 Baseline = Literal["quintic", "double-s"]
 MAX_INTERVALS = 500
@@ -48,12 +48,6 @@ class EasingModel(Model):
         if self.degree is not None and not least <= self.degree <= most:
             raise fault(f"{self.degree}; a {self.basis} has a degree of {least} to {most}", "degree")
         return self
-
-
-class Output(Model):
-    """How the law is sampled for `samples.csv`."""
-
-    rate: Annotated[float, quantity(FREQUENCY)] = 100.0
 
 
 class Problem(Model):
@@ -131,6 +125,11 @@ class Problem(Model):
         if self.easing.kind.pieces and degree is not None and degree <= least:
             needed = f"a {self.easing.basis} of degree {least + 1} or more is needed, not {degree}"
             raise fault(f"to minimise {what}, {needed}", "objective", "minimise")
+        return self
+
+    @model_validator(mode="after")
+    def _times_are_free(self) -> Self:
+        refuse_grid(self)
         return self
 
     @model_validator(mode="after")
