@@ -13,8 +13,8 @@ from timelaw.certificate import certify
 from timelaw.cli.app import _run
 from timelaw.cli.console import print_json
 from timelaw.errors import InputError
-from timelaw.export import format_law
-from timelaw.export.samples_csv import count_rows, format_samples
+from timelaw.export import format_law, format_samples
+from timelaw.export.samples import count_rows
 from timelaw.law_file.document import from_document, to_document
 from timelaw.pipeline import lay_out_problem
 from timelaw.problem.load import check_problem

@@ -1,5 +1,6 @@
 """Where a list of names stands twice, a Literal in a model and a registry that answers to it, they agree."""
 
+from dataclasses import fields
 from pathlib import Path
 from typing import get_args
 
@@ -9,6 +10,7 @@ import timelaw
 from tests.cases import PROBLEMS
 from timelaw.cli.design import list_files
 from timelaw.easing.registry import BASES
+from timelaw.export.exporter import Options
 from timelaw.export.registry import EXPORTERS
 from timelaw.files import write_file
 from timelaw.law_file.schema import RatesDocument
@@ -92,11 +94,13 @@ def test_every_section_of_the_report_has_its_template_and_every_template_a_secti
 @pytest.mark.parametrize("name", EXPORTERS)
 def test_every_format_writes_a_law_that_designs_write_too_if_it_is_usual(name, paper, tmp_path):
     exporter = EXPORTERS[name]
-    content = exporter.write(paper.optimised.law, 10.0)
-    assert len(content) > 1000
-    write_file(tmp_path / exporter.file_name, content)
-    assert (tmp_path / exporter.file_name).stat().st_size >= len(content)
-    assert (exporter.file_name in list_files(paper, PROBLEMS / "paper-24-cell.yaml")) == exporter.usual
+    files = exporter.name_files(paper.optimised.law, Options(10.0))
+    assert next(iter(files)) == exporter.file_name
+    for name, content in files.items():
+        write_file(tmp_path / name, content)
+        assert (tmp_path / name).stat().st_size >= len(content) > 500
+        assert (name in list_files(paper, PROBLEMS / "paper-24-cell.yaml")) == exporter.usual
+    assert set(exporter.takes) <= {field.name for field in fields(Options)}
 
 
 @pytest.mark.parametrize("name", OBJECTIVES)

@@ -7,6 +7,7 @@ import click
 
 from timelaw import __version__
 from timelaw.cli.console import describe_error, set_speech
+from timelaw.cli.formats import ListingCommand
 from timelaw.cli.last_word import print_object, wants_json
 from timelaw.errors import EXIT_BAD_INPUT, EXIT_DEFECT, EXIT_DONE, Fault, TimelawError
 from timelaw.interrupts import Interrupted, check_interrupted, find_interrupt, say_last_words
@@ -171,6 +172,37 @@ def animate(law: str, output: str, rate: float, speed: float, size: int, *, as_j
     from timelaw.cli.animate import run
 
     return run(law, output, rate=rate, speed=speed, size=size, as_json=as_json)
+
+
+@timelaw.command(cls=ListingCommand)
+@click.argument("law", type=click.Path(), required=False)
+@click.option("--to", "name", metavar="FORMAT", help="The format, one of those below.")
+@click.option("-o", "--output", type=click.Path(), help="File to write  [default: beside the law]")
+@click.option("--rate", help='Samples per second, such as "100 Hz"  [default: 100 Hz]')
+@click.option("--grid", help='End the motion on a multiple of a control cycle, such as "4 ms".')
+@click.option(
+    "--epoch", help="Instant of t = 0 in formats with calendar times  [default: 2000-01-01T12:00:00]"
+)
+@click.option("--single", is_flag=True, help="Numbers in single precision (c99).")
+@click.option("--list", "listing", is_flag=True, help="Say of every format what it carries and what is lost.")
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON object on stdout.")
+def export(
+    law: str | None,
+    name: str | None,
+    output: str | None,
+    rate: str | None,
+    grid: str | None,
+    epoch: str | None,
+    single: bool,
+    listing: bool,
+    as_json: bool,
+) -> int:
+    """Write the motion of a LAW file in the format of another program."""
+    from timelaw.cli.export import Request, list_formats, run
+
+    if listing:
+        return list_formats(as_json=as_json)
+    return run(Request(law, name, output, rate, grid, epoch, single), as_json=as_json)
 
 
 def run_command(arguments: list[str]) -> int:

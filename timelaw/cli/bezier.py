@@ -15,6 +15,7 @@ from timelaw.cli.console import (
 )
 from timelaw.errors import EXIT_DONE, EXIT_FINDINGS, InputError
 from timelaw.export import format_law
+from timelaw.export.exporter import Options
 from timelaw.export.registry import EXPORTERS
 from timelaw.pipeline_bezier import BezierDesign, design_curves
 from timelaw.problem import Problem, Source
@@ -82,7 +83,7 @@ def list_files(done: BezierDesign) -> tuple[dict[str, str | bytes], list[str]]:
     for exporter in (exporter for exporter in EXPORTERS.values() if exporter.usual):
         try:
             with done.source.placed():
-                files[exporter.file_name] = exporter.write(done.optimised.law, done.problem.output.rate)
+                files |= exporter.name_files(done.optimised.law, Options(done.problem.output.rate))
         except InputError as error:  # all else is designed, and worth keeping
             left_out.append(f"{exporter.file_name} is left out: {error}")
     return files | render_curve_report(done, digest), left_out

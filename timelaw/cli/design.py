@@ -17,11 +17,13 @@ from timelaw.cli.console import (
 )
 from timelaw.errors import EXIT_DONE, EXIT_FINDINGS, InputError
 from timelaw.export import format_law
+from timelaw.export.exporter import Content, Options
 from timelaw.export.registry import EXPORTERS
-from timelaw.export.samples_csv import refuse_too_many_rows
+from timelaw.export.samples import refuse_too_many_rows
 from timelaw.pipeline import Design, Layout, design_layout, lay_out_problem
 from timelaw.problem import load_problem
 from timelaw.progress import tell
+from timelaw.problem.output import find_given_times
 from timelaw.report import LawRow, list_law_rows, render_report
 from timelaw.report.outcome import describe_outcome, measure_gain
 from timelaw.report.passing_text import describe_rungs
@@ -137,6 +139,9 @@ def list_files(
     provenance |= _passing(done)
     if done.stopped_early:
         provenance["stopped_early"] = True
+    given = list(find_given_times(done.problem))
+    if given:
+        provenance["given_times"] = given
     law = done.optimised.law
     return {
         "law.json": format_law(law, done.optimised.certificate, provenance),
@@ -147,12 +152,13 @@ def list_files(
 
 def list_samples(done: Design) -> tuple[dict[str, str | bytes], dict[str, str]]:
     """Contents by file name of the usual formats, and of those that are left out the reason."""
-    written: dict[str, str | bytes] = {}
+    written: dict[str, Content] = {}
+    options = Options(done.problem.output.rate)
     left_out: dict[str, str] = {}
     for exporter in (exporter for exporter in EXPORTERS.values() if exporter.usual):
         try:
             with done.source.placed():
-                written[exporter.file_name] = exporter.write(done.optimised.law, done.problem.output.rate)
+                written |= exporter.name_files(done.optimised.law, options)
         except InputError as error:  # all else is designed, and worth keeping
             left_out[exporter.file_name] = f"{exporter.file_name} is left out: {error}"
     return written, left_out

@@ -1,0 +1,105 @@
+"""CCSDS Attitude Ephemeris Messages in keyword-value notation: version 2.0, and 1.0 as GMAT reads it.
+
+REF_FRAME_A is the world and REF_FRAME_B the body; with that sense QC Q1 Q2 Q3 are w x y z here. Each segment
+of the motion is one of the message, for readers must not interpolate across them.
+"""
+
+from collections.abc import Callable, Iterator
+from datetime import UTC, datetime, timedelta
+
+import numpy as np
+
+from timelaw.export.exporter import Exporter, Options
+from timelaw.export.samples import sample_segments
+from timelaw.motion import QuaternionLaw, Segment
+from timelaw.numerics.array import Array
+
+WORLD, BODY = "EME2000", "SC_BODY_1"
+PICOSECONDS = 10**12  # in a second; finer than doubles are after an hour
+Rows = Callable[[Segment, Array], Array]
+
+
+def format_instant(epoch: datetime, seconds: float) -> str:
+    """A time so long after an epoch, to the picosecond, as in 2000-01-01T12:00:01.500000000000."""
+    whole, part = divmod(round(seconds * PICOSECONDS), PICOSECONDS)
+    instant = epoch + timedelta(seconds=whole)
+    micro = instant.microsecond * 10**6 + part
+    instant += timedelta(seconds=micro // PICOSECONDS)
+    return f"{instant:%Y-%m-%dT%H:%M:%S}.{micro % PICOSECONDS:012d}"
+
+
+def write_aem_2(law: QuaternionLaw, options: Options) -> dict[str, str]:
+    """Version 2.0: quaternions, scalar last, and rates in body axes in deg/s."""
+    kind = ["ATTITUDE_TYPE = QUATERNION/ANGVEL", f"ANGVEL_FRAME = {BODY}"]
+    return {".aem": _write(law, options, "2.0", "TAI", kind, _with_rates)}
+
+
+def write_aem_1(law: QuaternionLaw, options: Options) -> dict[str, str]:
+    """Version 1.0: quaternions, scalar last."""
+    kind = ["ATTITUDE_DIR = A2B", "ATTITUDE_TYPE = QUATERNION", "QUATERNION_TYPE = LAST"]
+    return {".aem": _write(law, options, "1.0", "UTC", kind, _scalar_last)}
+
+
+def _scalar_last(segment: Segment, tau: Array) -> Array:
+    return np.roll(segment(tau, 0, "right"), -1, axis=1)
+
+
+def _with_rates(segment: Segment, tau: Array) -> Array:
+    return np.hstack([_scalar_last(segment, tau), np.degrees(segment(tau, 1, "right"))])
+
+
+def _write(
+    law: QuaternionLaw, options: Options, version: str, clock: str, kind: list[str], rows: Rows
+) -> str:
+    lines = [
+        f"CCSDS_AEM_VERS = {version}",
+        f"CREATION_DATE = {datetime.now(UTC):%Y-%m-%dT%H:%M:%S}",
+        "ORIGINATOR = TIMELAW",
+    ]
+    for segment, tau, times in sample_segments(law, options.rate):
+        lines += _describe(law, segment, options.epoch, clock, kind)
+        lines += ["DATA_START", *_list_rows(options.epoch, times, rows(segment, tau)), "DATA_STOP"]
+    return "\n".join(lines) + "\n"
+
+
+def _describe(
+    law: QuaternionLaw, segment: Segment, epoch: datetime, clock: str, kind: list[str]
+) -> list[str]:
+    """The metadata of one segment."""
+    first, last = (format_instant(epoch, t) for t in (segment.start_time, segment.end_time))
+    order = {  # as the standard has it
+        "OBJECT_NAME": law.name,
+        "OBJECT_ID": law.name,
+        "CENTER_NAME": "EARTH",
+        "REF_FRAME_A": WORLD,
+        "REF_FRAME_B": BODY,
+    }
+    keys = [f"{key} = {value}" for key, value in order.items()]
+    time = [f"TIME_SYSTEM = {clock}", f"START_TIME = {first}", f"STOP_TIME = {last}"]
+    sense = [line for line in kind if line.startswith("ATTITUDE_DIR")]
+    rest = [line for line in kind if line not in sense]
+    reading = ["INTERPOLATION_METHOD = LINEAR", "INTERPOLATION_DEGREE = 1"]
+    name = " ".join(segment.name.replace("–", "-").split())
+    return ["META_START", f"COMMENT {name}", *keys, *sense, *time, *rest, *reading, "META_STOP"]
+
+
+def _list_rows(epoch: datetime, times: Array, rows: Array) -> Iterator[str]:
+    for t, row in zip(times.tolist(), (rows + 0.0).tolist(), strict=True):
+        yield " ".join([format_instant(epoch, t), *(f"{value:.15f}" for value in row)])
+
+
+LOSES = "α, place; all between the samples; the world is called EME2000"
+AEM_2 = Exporter(
+    "attitude.aem",
+    write_aem_2,
+    "CCSDS AEM 2.0 (KVN): quaternion, ω in body axes [deg/s], a segment each arc, TAI",
+    LOSES,
+    ("rate", "epoch"),
+)
+AEM_1 = Exporter(
+    "attitude-1.0.aem",
+    write_aem_1,
+    "CCSDS AEM 1.0 (KVN), for GMAT: quaternion, a segment each arc, UTC",
+    "ω, " + LOSES,
+    ("rate", "epoch"),
+)
