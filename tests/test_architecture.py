@@ -14,7 +14,7 @@ ROOT = Path(timelaw.__file__).parent
 # A module imports only from rooms on lines above its own, or to the left on its line. The two wings know
 # nothing of each other: what a law is and how it is proved stands apart from how it was found.
 PLAN = """
-ground:      errors progress interrupts time_limit files results_folder workers units numerics
+ground:      errors progress interrupts time_limit files results_folder workers units numerics quaternion
 vocabulary:  limits least_time easing objectives
 law wing:    motion law_file certificate
 design wing: problem orientations tours route requirements nlp through bezier time_law

@@ -63,6 +63,14 @@ _UNITS: dict[str, tuple[Fraction | float, Dimension]] = {
     "g": (Fraction(1, 1000), (0, 0, 0, 1)),
     "N": (Fraction(1), (0, -2, 1, 1)),
     "mN": (Fraction(1, 1000), (0, -2, 1, 1)),
+    "degrees": (math.pi / 180, (1, 0, 0, 0)),
+    "radians": (Fraction(1), (1, 0, 0, 0)),
+    "dps": (math.pi / 180, (1, -1, 0, 0)),
+    "sec": (Fraction(1), (0, 1, 0, 0)),
+    "Nm": (Fraction(1), (0, -2, 2, 1)),
+    "mNm": (Fraction(1, 1000), (0, -2, 2, 1)),
+    "Nms": (Fraction(1), (0, -1, 2, 1)),
+    "mNms": (Fraction(1, 1000), (0, -1, 2, 1)),
 }
 _NUMBER = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*)", re.DOTALL)
 _FACTOR = re.compile(r"([A-Za-z°]+)(?:(?:\^|\*\*)([+-]?\d))?$")
