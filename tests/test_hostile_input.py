@@ -13,7 +13,10 @@ from timelaw.errors import Fault, InputError
 from timelaw.files import MAX_BYTES
 from timelaw.law_file import read_law
 from timelaw.law_file.read import MOST_PARTS
+from timelaw.orientations import angle_files
+from timelaw.orientations.aem import read_aem
 from timelaw.orientations.angle_files import read_angles
+from timelaw.orientations.stk import read_stk
 from timelaw.orientations.table import read_table
 from timelaw.problem import load_problem, parse_problem
 from timelaw.problem.source import read
@@ -134,7 +137,7 @@ def test_files_that_problems_and_studies_name(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("reader", "name", "most"), [(load_problem, "p.yaml", 2), (read_study, "s.yaml", 2), (read_law, "l.json", 50), (read_table, "t.csv", 50), (read_angles, "a.ang", 50)]
+    ("reader", "name", "most"), [(load_problem, "p.yaml", 2), (read_study, "s.yaml", 2), (read_law, "l.json", 50), (read_table, "t.csv", 50), (read_angles, "a.ang", 500), (read_aem, "a.aem", 50), (read_stk, "a.a", 50)]
 )  # fmt: skip
 def test_files_that_are_too_large_are_not_opened(tmp_path, reader, name, most):
     path = tmp_path / name
@@ -167,11 +170,21 @@ def test_tables(tmp_path, case):
     assert str(error.value) == f"{path}{message}"
 
 
-def test_angle_files_of_too_many_lines(tmp_path):
-    for name in ("a.ang", "a.ctf"):
-        (tmp_path / name).write_text("1\t2\t3\n" * 500_001)
-        with pytest.raises(InputError, match="500001 lines; at most 500000 are allowed"):
+def test_angle_files_of_too_many_points(tmp_path, monkeypatch):
+    monkeypatch.setattr(angle_files, "MOST_POINTS", 1000)
+    names = "Phase\tEuler1\tEuler2\tEuler3\n"
+    for name, text in (("a.ang", "1 2 3\n" * 1001), ("a.ctf", names + "1\t2\t3\t4\n" * 1001)):
+        (tmp_path / name).write_text(text)
+        with pytest.raises(InputError, match=r":100[12]:1: more than 1000 points; choose a phase"):
             read_angles(tmp_path / name)
+
+
+def test_a_line_without_an_end_is_not_held(tmp_path):
+    readers = {"a.ang": read_angles, "a.ctf": read_angles, "a.aem": read_aem, "a.a": read_stk}
+    for name, reader in readers.items():
+        (tmp_path / name).write_text("stk.v.1\n" + "1" * 10_000_000)
+        with pytest.raises(InputError):
+            reader(tmp_path / name)
 
 
 def law(**changes) -> str:

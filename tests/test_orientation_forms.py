@@ -196,7 +196,7 @@ FAULTS = {
     "lattice: 600-cell, symmetry: m3m": '4:47: route.orientations.symmetry: "m3m"; allowed: 1, -1, 2, 2/m, 222, mmm, 4, 4/m, 422, 4/mmm, 3, -3, 32, -3m, 6, 6/m, 622, 6/mmm, 23, m-3, 432, m-3m, or I, O, T, C1 to C12, D1 to D12; did you mean "m-3m"?',
     "lattice: 24-cell, turned: {world: [1, 1, 0, 0]}": "4:52: route.orientations.turned.world: expected a unit quaternion [w, x, y, z]",
     "list: [[1, 0, 0], [0, 1, 0]], as: euler, unit: deg, sequence: ZxZ": '4:80: route.orientations.sequence: "ZxZ"; three of X, Y, Z, which turn with the body, or three of x, y, z about fixed axes are needed',
-    "list: [[[1,0,0,0],[1,0],[0,0,1]], [[1,0,0],[0,1,0],[0,0,1]]], as: matrix": "4:25: route.orientations.list[1]: a matrix has three rows of three numbers",
+    "list: [[[1,0,0,0],[1,0],[0,0,1]], [[1,0,0],[0,1,0],[0,0,1]]], as: matrix": "4:25: route.orientations.list[1]: a matrix has three rows of three numbers, or with a translation three or four of four",
     "file: a.ang, columns: [a, b, c]": '4:40: route.orientations.columns: .ang files have their own columns; give "as" too, or leave "columns" away',
     "file: a.csv, columns: [w, w, y, z]": "4:40: route.orientations.columns: as many different names as the form has numbers are needed",
     "uniform: {fill: 20}": '4:34: route.orientations.uniform.fill: "20" has no unit; write an angle like "20 deg"',

@@ -83,7 +83,7 @@ def write(folder: Path, text: str) -> Path:
 
 def test_a_table_is_read_by_its_column_names(tmp_path):
     text = "# a scan\nlabel, z, y, x, w\nhome,0,0,0,1\n\nup,0,0,0.6,0.8\n"
-    q, labels, _ = read_table(write(tmp_path, text))
+    q, labels, *_ = read_table(write(tmp_path, text))
     np.testing.assert_allclose(q, [[1, 0, 0, 0], [0.8, 0.6, 0, 0]])
     assert labels == ("home", "up")
 

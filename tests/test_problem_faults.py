@@ -70,7 +70,7 @@ CASES = {
     "bare number": (replaced("60 deg/s", "60"), '7:13: limits.velocity: "60" has no unit; write an angular velocity like "60 deg/s"'),
     "wrong dimension": (replaced("60 deg/s", "60 deg/s^2"), '7:13: limits.velocity: "60 deg/s^2" is not an angular velocity; write it like "60 deg/s"'),
     "a frequency is no velocity": (replaced("60 deg/s", "60 Hz"), '7:13: limits.velocity: "60 Hz" is not an angular velocity; write it like "60 deg/s"'),
-    "unknown unit": (replaced("60 deg/s", "60 degs/s"), '7:13: limits.velocity: unknown unit "degs"; known: rad, mrad, deg, °, arcmin, arcsec, rev, rpm, s, ms, min, h, Hz, kHz, m, cm, mm, kg, g, N, mN'),
+    "unknown unit": (replaced("60 deg/s", "60 degs/s"), '7:13: limits.velocity: unknown unit "degs"; known: rad, mrad, deg, °, arcmin, arcsec, rev, rpm, s, ms, min, h, Hz, kHz, m, cm, mm, kg, g, N, mN, degrees, radians, dps, sec, Nm, mNm, Nms, mNms'),
     "unreadable unit": (replaced("60 deg/s", "60 deg//s"), '7:13: limits.velocity: cannot read the unit "deg//s"; write units like "deg/s^2" or "kg*m^2"'),
     "no number": (replaced("60 deg/s", "fast"), '7:13: limits.velocity: "fast" is not an angular velocity; write it like "60 deg/s"'),
     "negative limit": (replaced("60 deg/s", "-60 deg/s"), '7:13: limits.velocity: "-60 deg/s" is out of range; 1e-09 to 1e+09 rad/s are allowed'),

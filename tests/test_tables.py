@@ -72,7 +72,7 @@ REFUSED = {
     "more columns": (EULER, table(7), ":1:1: 4 columns and no header; 3 are needed for three Euler angles: name them, or give columns: [2, 3, 4], counted from 1"),
     "more after them": ("as: wxyz", table(rows=[[*q, 5.5] for q in QUATERNIONS]), ":1:1: 5 columns and no header; 4 are needed for a quaternion of four numbers [w, x, y, z]: name them, or give columns: [2, 3, 4, 5], counted from 1"),
     "a column that begins later": (EULER, table() + "1,2,3,4\n", ":4:1: 4 values; 3 are needed, with decimal points"),
-    "homogeneous": ("as: matrix", "1,0,0,.1,0,1,0,.2,0,0,1,.3,0,0,0,1\n" * 2, ":1:1: 16 columns and no header; 9 are needed for a rotation matrix of nine numbers, row by row: name them, or give columns: [1, 2, 3, 5, 6, 7, 9, 10, 11], counted from 1 (of a homogeneous matrix the upper left 3x3 is needed)"),
+    "homogeneous by columns": ("as: matrix", "1,0,0,0,0,1,0,0,0,0,1,0,.1,.2,.3,1\n" * 2, ":1:1: the last row of a 4x4 matrix is 0, 0, 0, 1, not 0.1, 0.2, 0.3, 1; is it written by columns? Then transpose it"),
     "fewer columns": (EULER, "1,2\n3,4\n", ":1:1: 2 values; 3 are needed"),
     "a short row": (EULER, table() + "1,2\n", ":4:1: 2 values; 3 are needed"),
     "a short row under names": (EULER, table(7, header="id,phi1,phi,phi2") + "1,2,3\n", ":5:1: 3 values; 4 are needed"),
@@ -188,7 +188,7 @@ def test_points_that_were_not_indexed_keep_their_number(mark, tmp_path):
         ("a.ang", "1 2 3 0\n2 3 4\n", ":2:1: 3 values; 4 are needed"),
         ("a.ctf", "Phase\tEuler1\tEuler2\tEuler3\n1\t2\t3\t4\n\t\t\t\n1\t2\t3\t4\n", ":3:1: an empty row; fill it in or take it out, for rows are numbered"),
         ("a.ctf", "Phase\tEuler1\tEuler2\tEuler3\tX\n1\t2\t3\t4\t\n1\t2\t3\t4\t5\n", ":2:1: 4 values; 5 are needed"),
-        ("a.ctf", "Phase\tEuler1\tEuler2\tEuler3\n1\t2\t3\t4,5\n1\t2\t3\t4\n", ':2:1: "4,5" is not a number; a decimal point is needed'),
+        ("a.ctf", "Phase\tEuler1\tEuler2\tEuler3\n1\t2\t3\t4,5,6\n1\t2\t3\t4\n", ':2:1: "4,5,6" is not a number'),
     ],
 )  # fmt: skip
 def test_rows_of_angle_files_are_whole(name, text, message, tmp_path):
@@ -200,10 +200,10 @@ def test_rows_of_angle_files_are_whole(name, text, message, tmp_path):
 @pytest.mark.parametrize(
     ("rows", "hint"),
     [
-        ("[[1,0,0,5],[0,1,0,5],[0,0,1,5],[0,0,0,1]]", "three numbers; of a homogeneous one the upper left 3x3 is needed"),
-        ("[[1,0,0,5],[0,1,0,5],[0,0,1,5]]", "three numbers; of a homogeneous one the upper left 3x3 is needed"),
-        ("[1,0,0,5,0,1,0,5,0,0,1,5,0,0,0,1]", "row by row; of a homogeneous matrix the upper left 3x3 is needed"),
-        ("[[1,0],[0,1]]", "a matrix has three rows of three numbers"),
+        ("[[1,0,0,0],[0,1,0,0],[0,0,1,0],[5,5,5,1]]", "the last row of a 4x4 matrix is 0, 0, 0, 1, not 5, 5, 5, 1; is it written by columns? Then transpose it"),
+        ("[1,0,0,5,0,1,0,5,0,0,1,5,0,0,0,2]", "the last row of a 4x4 matrix is 0, 0, 0, 1, not 0, 0, 0, 2"),
+        ("[1,0,0,5,0,1,0,5,0,0]", "expected a rotation matrix of nine numbers, row by row"),
+        ("[[1,0],[0,1]]", "a matrix has three rows of three numbers, or with a translation three or four of four"),
     ],
 )  # fmt: skip
 def test_homogeneous_matrices_in_lists(rows, hint, tmp_path):

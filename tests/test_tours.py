@@ -75,7 +75,10 @@ def test_given_and_labels_and_closed():
             f"{LIST}, tour: [1, 2, 3, 1], closed: true",
             'the tour visits "1" twice in a row; with closed: true the first one is not repeated',
         ),
-        (f"{LIST}, tour: [1, 3]", "the tour leaves out 2; every orientation must be visited"),
+        (
+            f"{LIST}, tour: [1, 3]",
+            'the tour leaves out 2; every orientation must be visited; "only" takes part of them',
+        ),
         (
             f"{LIST}, tour: paper",
             '"paper" is the tour of the lattice 24-cell, not of list; '
@@ -83,7 +86,7 @@ def test_given_and_labels_and_closed():
         ),
         (
             "orientations: {lattice: 600-cell}, tour: [1, 2]",
-            "the tour leaves out 3, 4, 5, 6, 7, 8, … (58 in all); every orientation must be visited",
+            'the tour leaves out 3, 4, 5, 6, 7, 8, … (58 in all); every orientation must be visited; "only" takes part of them',
         ),
     ],
 )

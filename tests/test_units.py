@@ -3,7 +3,15 @@
 import numpy as np
 import pytest
 
-from timelaw.units import ANGULAR_ACCELERATION, ANGULAR_JERK, ANGULAR_VELOCITY, FREQUENCY, parse_quantity
+from timelaw.units import (
+    ANGULAR_ACCELERATION,
+    ANGULAR_JERK,
+    ANGULAR_VELOCITY,
+    FREQUENCY,
+    MOMENTUM,
+    TORQUE,
+    parse_quantity,
+)
 
 
 @pytest.mark.parametrize(
@@ -23,6 +31,13 @@ from timelaw.units import ANGULAR_ACCELERATION, ANGULAR_JERK, ANGULAR_VELOCITY, 
         ("180 deg*s^-2", ANGULAR_ACCELERATION, np.pi),
         ("1 rad/s**3", ANGULAR_JERK, 1.0),
         (".5 kHz", FREQUENCY, 500.0),
+        ("60 dps", ANGULAR_VELOCITY, np.pi / 3),
+        ("180 degrees/sec^2", ANGULAR_ACCELERATION, np.pi),
+        ("1 radians/sec^3", ANGULAR_JERK, 1.0),
+        ("0.2 Nm", TORQUE, 0.2),
+        ("200 mNm", TORQUE, 0.2),
+        ("4 Nms", MOMENTUM, 4.0),
+        ("4 Nm*sec", MOMENTUM, 4.0),
     ],
 )
 def test_conversions(text, kind, value):

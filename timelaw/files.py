@@ -6,9 +6,10 @@ import tempfile
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from errno import EISDIR
+from io import TextIOWrapper
 from math import isfinite
 from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO
 
 from timelaw.errors import Fault, InputError
 from timelaw.interrupts import finish_work
@@ -22,6 +23,8 @@ OTHER_KINDS = {  # what has no end, or gives nothing until somebody writes; a fo
 }
 WIDE = (b"\xff\xfe", b"\xfe\xff")  # how a text of two or four bytes a character begins
 LONGEST_LABEL = 1000  # characters of a label or name in any file; they stand in many messages
+LONGEST_LINE = 20_001  # characters of one that is streamed, and its end
+MARK = b"\xef\xbb\xbf".decode("latin-1")  # of a UTF-8 text, read as Latin-1
 START = 1000  # bytes, in which a file shows of what kind it is
 
 
@@ -52,19 +55,53 @@ def _too_large(path: Path, most: int) -> InputError:
 
 def _read(path: Path, most: int, *, start: bool = False) -> bytes:
     """One byte more than `most` of a file that has more; only its start, if that is asked for."""
+    with _opened(path, None if start else most) as file:
+        return file.read(most + 1)
+
+
+@contextmanager
+def _opened(path: Path, most: int | None) -> Iterator[BinaryIO]:
+    """A regular file of at most so many bytes; what fails while it is read is told of it.
+
+    Raises:
+        InputError: it is of another kind, larger, or cannot be read.
+    """
     try:
         status = path.stat()
         kind = OTHER_KINDS.get(stat.S_IFMT(status.st_mode))
         if kind is not None:  # before it is opened: that may wait for ever, and a device has no end
             raise InputError(Fault(f"cannot be read: it is {kind}; a regular file is needed", "", str(path)))
-        if status.st_size > most and not start:
+        if most is not None and status.st_size > most:
             raise _too_large(path, most)
         with path.open("rb") as file:
-            return file.read(most + 1)
+            yield file
     except OSError as error:
         raise InputError(Fault(f"cannot be read: {error.strerror or error}", "", str(path))) from None
     except ValueError as error:  # a name that no file can have
         raise InputError(Fault(f"cannot be read: {error}", "", repr(str(path)))) from None
+
+
+def stream_lines(path: Path, most: int) -> Iterator[str]:
+    """The lines of a text of at most so many bytes, one after the other, for files too large to be held.
+
+    Whatever has not ASCII's letters is taken as Latin-1: names in old encodings do no harm to numbers.
+
+    Raises:
+        InputError: it is larger, cannot be read, is no text of one byte a character, or has endless lines.
+    """
+    with _opened(path, most) as binary:
+        if binary.read(2) in WIDE:
+            message = "seems to be UTF-16 or UTF-32: save it as UTF-8"
+            raise InputError(Fault(f"is not a text of one byte a character; it {message}", "", str(path)))
+        binary.seek(0)
+        text = TextIOWrapper(binary, encoding="latin-1", newline=None)
+        number = 0
+        while line := text.readline(LONGEST_LINE):
+            number += 1
+            if len(line) == LONGEST_LINE:
+                message = f"a line of more than {LONGEST_LINE - 1} characters"
+                raise InputError(Fault(message, "", str(path), number, 1))
+            yield line.rstrip("\n") if number > 1 else line.rstrip("\n").removeprefix(MARK)
 
 
 def read_text(path: Path, most: int = MAX_BYTES) -> str:

@@ -26,6 +26,7 @@ from timelaw.through.passage import Through
 from timelaw.time_law import BASELINES, TimeLaw
 from timelaw.time_law.time_law import OPTIMISED_LAW, STOPPING_LAW
 from timelaw.tours import Tour, find_tour
+from timelaw.tours.home import go_home
 
 
 @dataclass(frozen=True)
@@ -193,6 +194,8 @@ def lay_out_problem(path: Path, problem: Problem, source: Source, progress: Prog
     with source.placed(), on_one_thread():
         orientations = read_orientations(_take_orientations(problem), path.parent)
         tour = find_tour(problem, orientations, progress)
+        if problem.route.home is not None:
+            orientations, tour = go_home(orientations, tour, problem.route.home)
         route = lay_route(orientations, tour, merge=problem.motion.through)
         requirements = resolve_requirements(problem, route)
     return Layout(path, problem, source, orientations, tour, route, requirements)

@@ -1,33 +1,59 @@
-"""The angle files of texture tools: .ang (EDAX/TSL) and .ctf (Oxford), Bunge's Euler angles.
+"""The angle files of texture tools: .ang (EDAX/TSL, EMsoft, ASTAR) and .ctf (Oxford), Bunge's Euler angles.
 
 Bunge's φ1, Φ, φ2 turn the specimen's axes into the crystal's about z, x', z'': with the crystal as
 the body and the specimen as the world, R = Rz(φ1) Rx(Φ) Rz(φ2), intrinsic ZXZ. (As a passive
 matrix, specimen to crystal, texture books print its transpose.) Points that were not indexed carry
-no orientation and are left out; the others keep the number of their row as their label.
+no orientation and are left out, as are those of other phases than the one that is asked for; the rest keep
+the number of their row as their label. Maps are read line by line.
 """
 
-from collections.abc import Callable, Iterator
-from io import StringIO
+from array import array
+from collections.abc import Callable, Iterator, Sequence
 from math import pi
+from operator import itemgetter
 from pathlib import Path
+from typing import NamedTuple
 
+import numpy as np
+
+from timelaw.files import stream_lines
 from timelaw.numerics.array import Array
-from timelaw.orientations.forms import Writing, find_fault, make_quaternions
-from timelaw.orientations.rows import EMPTY_ROW, make_fault, read_lines, read_number
+from timelaw.orientations.forms import Writing, convert
+from timelaw.orientations.rows import EMPTY_ROW, NUMBER, make_fault, read_number
+from timelaw.units import MOST
 
-Point = tuple[int, list[float], bool]  # line, three angles, whether the point was indexed
-
-ANG_CONFIDENCE = 6  # column of the confidence index, counted from 0; -1 where nothing was indexed
+MAX_BYTES = 500_000_000
+MOST_POINTS = 4_000_000  # that are kept, each with its label; a map of 200 MB has fewer
+ANG_CONFIDENCE, ANG_PHASE = 6, 7  # columns counted from 0, of all makers; confidence -1: not indexed
 CTF_COLUMNS = ("phase", "euler1", "euler2", "euler3")
 NO_ANGLES = {"rad": 4 * pi, "deg": 720.0}  # all three angles are that in a point that was not indexed
+MOST_NAMED = 20  # phases in a message
 TYPED = 1e-4  # relative: 12.566 is 4π too
 MOST_RADIANS = 4 * pi + 1e-3  # two turns, as typed; larger numbers are degrees, where nobody says otherwise
 
 
-def read_angles(path: Path, unit: str | None = None) -> tuple[Array, tuple[str, ...], int]:
-    """Unit quaternions (N, 4), crystal to specimen, their labels, and how many points were left out.
+class Point(NamedTuple):
+    """A row: its line, three angles as they are written, whether it was indexed, and its phase."""
 
-    A label is the number of the point among the file's points, those that were not indexed included.
+    line: int
+    angles: Sequence[str]
+    indexed: bool
+    phase: str
+
+
+class AngleMap(NamedTuple):
+    """Unit quaternions (N, 4), crystal to specimen, labels, and what was left out."""
+
+    quaternions: Array
+    labels: tuple[str, ...]
+    unindexed: int
+    other_phases: int
+
+
+def read_angles(path: Path, unit: str | None = None, phase: int | None = None) -> AngleMap:
+    """The orientations of a map, of one `phase` if that is given.
+
+    A label is the number of the point among the file's points, those that are left out included.
     `unit` is that of the file's kind unless given.
 
     Raises:
@@ -35,71 +61,122 @@ def read_angles(path: Path, unit: str | None = None) -> tuple[Array, tuple[str, 
     """
     points, usual = READERS[path.suffix.lower()]
     writing = Writing("euler", "ZXZ", unit or usual)
-    kept, labels, found = [], [], 0
-    for line, angles, indexed in points(path):
+    kept, labels, found, others = array("d"), array("l"), 0, 0
+    phases: dict[str, bool] = {}
+    most = MOST_RADIANS if unit is None and usual == "rad" else MOST
+    none = NO_ANGLES[writing.unit]
+    near = TYPED * none
+    for point in points(path):
         found += 1
-        if not indexed or all(abs(a / NO_ANGLES[writing.unit] - 1) <= TYPED for a in angles):
+        angles = _read_angles(point, path)
+        if angles is None or (abs(angles[0] - none) <= near and max(abs(a - none) for a in angles) <= near):
             continue
-        wrong = find_fault(angles, writing)
-        if unit is None and usual == "rad" and max(map(abs, angles)) > MOST_RADIANS:
+        if phase is not None and not _is_phase(point, phase, phases, path):
+            others += 1
+            continue
+        if max(map(abs, angles)) > most:
             wrong = f"{max(angles, key=abs):g} rad is more than two turns; in degrees? unit: deg"
-        if wrong:
-            raise make_fault(wrong, path, line)
-        kept.append(angles)
-        labels.append(str(found))
-    if len(kept) < 2:
-        raise make_fault(f"{len(kept)} indexed points; at least two are needed", path)
-    return make_quaternions(kept, writing), tuple(labels), found - len(kept)
+            raise make_fault(wrong, path, point.line)
+        if len(labels) == MOST_POINTS:
+            raise make_fault(f"more than {MOST_POINTS} points; choose a phase", path, point.line)
+        kept.extend(angles)
+        labels.append(found)
+    if len(labels) < 2:
+        there = f"; the phases are {', '.join(sorted(phases))}" if phases else ""
+        what = "indexed points" if phase is None else f"indexed points of phase {phase}"
+        raise make_fault(f"{len(labels)} {what}; at least two are needed{there}", path)
+    quaternions = convert(np.frombuffer(kept).reshape(-1, 3), writing)
+    return AngleMap(quaternions, tuple(map(str, labels)), found - len(labels) - others, others)
+
+
+def _read_angles(point: Point, path: Path) -> list[float] | None:
+    """Three numbers; none of a point that was not indexed, whatever is written there."""
+    if not point.indexed:
+        return None
+    try:
+        angles = [float(cell) for cell in point.angles]
+    except ValueError:
+        angles = []
+    if angles and sum(map(abs, angles)) <= MOST and "_" not in "".join(point.angles):
+        return angles  # Python's reading is the quicker one, ours the stricter
+    if all(cell.strip().lower() == "nan" for cell in point.angles):
+        return None
+    return [_read(cell, path, point.line) for cell in point.angles]
+
+
+def _read(cell: str, path: Path, line: int) -> float:
+    """A number, also where commas stand for points: no comma divides cells here."""
+    plain = cell.replace(",", ".", 1)
+    return read_number(plain if NUMBER.fullmatch(plain.strip()) else cell, path, line)
+
+
+def _is_phase(point: Point, phase: int, phases: dict[str, bool], path: Path) -> bool:
+    """Whether a point is of a phase; the answers are noted by what is written, but not without end."""
+    known = phases.get(point.phase)
+    if known is None:
+        if not point.phase:
+            raise make_fault("this file has no column of phases", path, point.line)
+        known = _read(point.phase, path, point.line) == phase
+        if len(phases) < MOST_NAMED:
+            phases[point.phase] = known
+    return known
 
 
 def _ang(path: Path) -> Iterator[Point]:
-    """φ1 Φ φ2 [rad] x y IQ CI …, comments start with #."""
-    lines = [(line, text) for line, text in _lines(path) if not text.lstrip().startswith("#")]
+    """φ1 Φ φ2 [rad] x y IQ CI phase …, comments start with #."""
+    lines = ((n, text) for n, text in _lines(path) if not text.lstrip().startswith("#"))
     for line, cells in _rows(lines, path):
         if len(cells) < 3:
             raise make_fault(f"{len(cells)} values; phi1, Phi, phi2 are needed", path, line)
-        confidence = read_number(cells[ANG_CONFIDENCE], path, line) if len(cells) > ANG_CONFIDENCE else 0.0
-        yield line, [read_number(cell, path, line) for cell in cells[:3]], confidence >= 0
+        confidence = cells[ANG_CONFIDENCE] if len(cells) > ANG_CONFIDENCE else "0"
+        indexed = _read_confidence(confidence, path, line)
+        yield Point(line, cells[:3], indexed, cells[ANG_PHASE] if len(cells) > ANG_PHASE else "")
+
+
+def _read_confidence(cell: str, path: Path, line: int) -> bool:
+    """Whether a confidence says that the point was indexed; one that is no number says that it was not."""
+    return cell.lower() != "nan" and _read(cell, path, line) >= 0
 
 
 def _ctf(path: Path) -> Iterator[Point]:
     """A header, then a table with the columns Phase, Euler1, Euler2, Euler3 [deg] among others."""
     lines = _lines(path)
-    header = next((i for i, (_, text) in enumerate(lines) if set(CTF_COLUMNS) <= set(_names(text))), None)
-    if header is None:
+    names = next((n for n in (_names(text) for _, text in lines) if set(CTF_COLUMNS) <= set(n)), None)
+    if names is None:
         raise make_fault("no line names the columns Phase, Euler1, Euler2, Euler3", path)
-    names = _names(lines[header][1])
     phase, *angles = (names.index(c) for c in CTF_COLUMNS)
-    for line, cells in _rows(lines[header + 1 :], path):
-        if len(cells) != len(names):
-            raise make_fault(f"{len(cells)} values; {len(names)} are needed", path, line)
-        yield (
-            line,
-            [read_number(cells[i], path, line) for i in angles],
-            read_number(cells[phase], path, line) != 0,
-        )
+    take = itemgetter(*angles)
+    known = {"0": False}
+    for line, cells in _rows(lines, path, len(names)):
+        own = cells[phase]
+        indexed = known.get(own)
+        if indexed is None:
+            indexed = _read(own, path, line) != 0
+            if len(known) < MOST_NAMED:
+                known[own] = indexed
+        yield Point(line, take(cells), indexed, own)
 
 
-def _lines(path: Path) -> list[tuple[int, str]]:
+def _lines(path: Path) -> Iterator[tuple[int, str]]:
     """All lines with their numbers."""
-    return list(enumerate(StringIO(read_lines(path), newline=None).read().split("\n"), 1))
+    return enumerate(stream_lines(path, MAX_BYTES), 1)
 
 
 def _names(text: str) -> list[str]:
     return [cell.strip().lower() for cell in text.rstrip().split("\t")]
 
 
-def _rows(lines: list[tuple[int, str]], path: Path) -> Iterator[tuple[int, list[str]]]:
-    """Rows of cells, each with as many as the first, none of them empty: they are numbered."""
-    blank, width = 0, 0
+def _rows(lines: Iterator[tuple[int, str]], path: Path, width: int = 0) -> Iterator[tuple[int, list[str]]]:
+    """Rows of `width` cells, or each with as many as the first, none of them empty: they are numbered."""
+    blank, rows = 0, 0
     for line, text in lines:
         cells = text.rstrip().split("\t") if "\t" in text.strip() else text.split()
         if not cells:
-            blank = blank or (line if text and width else 0)
+            blank = blank or (line if text and rows else 0)
             continue
         if blank:
             raise make_fault(EMPTY_ROW, path, blank)
-        width = width or len(cells)
+        width, rows = width or len(cells), rows + 1
         if len(cells) != width:
             raise make_fault(f"{len(cells)} values; {width} are needed", path, line)
         yield line, cells

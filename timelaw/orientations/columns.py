@@ -5,9 +5,11 @@ from pathlib import Path
 from typing import cast
 
 from timelaw.errors import Fault, InputError, shorten
-from timelaw.orientations.forms import HOMOGENEOUS, UPPER_LEFT, Form
+from timelaw.orientations.forms import Form
+from timelaw.orientations.headers import clean_name
 from timelaw.orientations.rows import NUMBER, Row, make_fault, measure_width
 
+NUMBERED = (("q1", "q2", "q3", "q4"), ("q0", "q1", "q2", "q3"))
 WHERE = "route.orientations.columns"
 NO_VALUE = ("", "nan", "na", "n/a", "inf", "infinity", "none", "null", "-", "--", "?")  # but no name either
 Columns = Sequence[str] | Sequence[int]
@@ -24,16 +26,15 @@ def find_columns(
     Raises:
         InputError: columns that are not there, or that could be read in two ways.
     """
-    if columns is not None and len(columns) != form.width:
+    if columns is not None and len(columns) not in form.widths:
         kind = "names" if isinstance(columns[0], str) else "numbers"
         raise InputError(Fault(f"{len(columns)} {kind}; {form.width} are needed", WHERE))
     line, cells = rows[0]
-    header = [cell.lower() for cell in cells]
+    header = [clean_name(cell) for cell in cells]
     if columns is not None and isinstance(columns[0], int):
         return _by_number(rows, form, cast(Sequence[int], columns), path)
     if columns is None and named and all(NUMBER.fullmatch(name) for name in header if name):
-        _refuse_other_columns(rows, form, path)
-        return list(range(form.width)), False
+        return list(range(_count_columns(rows, form, path))), False
     places = _by_name(header, form, cast(Sequence[str] | None, columns), path, line, named=named)
     _refuse_another_order(form, [header[i] for i in places])
     return places, True
@@ -43,7 +44,9 @@ def _by_name(
     header: list[str], form: Form, columns: Sequence[str] | None, path: Path, line: int, *, named: bool
 ) -> list[int]:
     """Where the names stand in the header."""
-    options = (tuple(name.strip().lower() for name in columns),) if columns else form.columns
+    options = (tuple(clean_name(name) for name in columns),) if columns else form.columns
+    if form.numbered and columns is None:
+        options += _find_numbered(header, path, line, named=named)
     found = [option for option in options if all(name in header for name in option)]
     if not found:
         needed = ", ".join(options[0])
@@ -62,6 +65,16 @@ def _by_name(
     return [header.index(name) for name in found[0]]
 
 
+def _find_numbered(header: list[str], path: Path, line: int, *, named: bool) -> tuple[tuple[str, ...], ...]:
+    """Components called by numbers, whose order only a form that is chosen by name says."""
+    there = tuple(names for names in NUMBERED if set(names) <= set(header))
+    if there and not named:
+        listing = ", ".join(there[0])
+        message = f"columns {listing} have the scalar first for some makers and last for others"
+        raise make_fault(f'{message}; say which: "as: wxyz" or "as: xyzw"', path, line)
+    return there
+
+
 def _by_number(rows: list[Row], form: Form, columns: Sequence[int], path: Path) -> tuple[list[int], bool]:
     """Columns counted from 1; the first row is a header if it names them."""
     width = measure_width(rows)
@@ -77,7 +90,7 @@ def _by_number(rows: list[Row], form: Form, columns: Sequence[int], path: Path) 
         listing, odd = shorten(", ".join(first)), shorten(odd)
         message = f'columns {list(columns)} of the first row are {listing}: "{odd}" is no name of a column'
         raise make_fault(f"{message}, and not all of them are numbers", path, line)
-    _refuse_another_order(form, [cell.lower() for cell in first])
+    _refuse_another_order(form, [clean_name(cell) for cell in first])
     return places, True
 
 
@@ -86,24 +99,21 @@ def _is_value(cell: str) -> bool:
     return cell.lower() in NO_VALUE or cell[0] in "+-.,0123456789"
 
 
-def _refuse_other_columns(rows: list[Row], form: Form, path: Path) -> None:
-    """Without a header nothing says which of too many columns are meant."""
+def _count_columns(rows: list[Row], form: Form, path: Path) -> int:
+    """How many columns a table without a header has; nothing says which of too many are meant."""
     width, line = measure_width(rows), rows[0][0]
     if width < form.width:
         raise make_fault(f"{width} values; {form.width} are needed", path, line)
     ways = list(range(width - form.width + 1, width + 1))
-    if width > form.width:
-        hint = ""
-        if form.width == 9 and width in HOMOGENEOUS:
-            ways = [row * 4 + column + 1 for row in range(3) for column in range(3)]
-            hint = f" ({UPPER_LEFT})"
+    if width not in form.widths:
         message = f"{width} columns and no header; {form.width} are needed for {form.name}"
-        raise make_fault(f"{message}: name them, or give columns: {ways}, counted from 1{hint}", path, line)
+        raise make_fault(f"{message}: name them, or give columns: {ways}, counted from 1", path, line)
     first = rows[0][1]
     if first == [str(i) for i in range(width)]:
         message = f"{', '.join(first)} may be numbers of columns or an orientation"
         names = ", ".join(f'"{name}"' for name in first)
         raise make_fault(f"{message}: give columns: [{names}], or columns: {ways}", path, line)
+    return width
 
 
 def _refuse_another_order(form: Form, names: list[str]) -> None:

@@ -21,8 +21,8 @@ from timelaw.problem.fields import NORM_TOLERANCE
 
 MATRIX_COLUMNS = tuple(f"r{i}{j}" for i in "123" for j in "123")
 ANGLES = ("rotation-vector", "euler", "axis-angle")  # forms whose numbers have a unit; an axis has any length
-HOMOGENEOUS = (12, 16)  # numbers of a matrix that holds a translation too
-UPPER_LEFT = "of a homogeneous matrix the upper left 3x3 is needed"
+MATRIX, HOMOGENEOUS = 9, (12, 16)  # numbers of a rotation matrix, and of one that holds a translation too
+LAST_ROW = (0.0, 0.0, 0.0, 1.0)
 
 
 @dataclass(frozen=True)
@@ -39,7 +39,8 @@ class Form:
     """One form: how many numbers, what a row is called, names of its columns, and its conversion.
 
     `check` says what is wrong with a row of numbers (width,), or nothing; `convert` takes rows
-    (N, width), angles in rad, and Euler's sequence; `measure` says how precise rows are.
+    (N, width), angles in rad, and Euler's sequence; `measure` says how precise rows are. Columns may be
+    `numbered`, as q1 to q4 are.
     """
 
     name: str
@@ -47,25 +48,49 @@ class Form:
     check: Callable[[Array], str]
     convert: Callable[[Array, str], Array]
     measure: Callable[[Array], Precision] = take_as_exact
+    numbered: bool = False
 
     @property
     def width(self) -> int:
-        """Numbers in a row."""
+        """Numbers of an orientation."""
         return len(self.columns[0])
+
+    @property
+    def widths(self) -> tuple[int, ...]:
+        """Numbers in a row, which may hold a translation too."""
+        return (self.width, *HOMOGENEOUS) if self.width == MATRIX else (self.width,)
 
 
 def find_fault(row: Sequence[float], writing: Writing) -> str:
     """What is wrong with one row of numbers; empty if nothing is."""
     form = FORMS[writing.form]
-    if len(row) != form.width:
-        hint = f"; {UPPER_LEFT}" if form.width == 9 and len(row) in HOMOGENEOUS else ""
-        return f"expected {form.name}{hint}"
-    return form.check(np.array(row))
+    if len(row) not in form.widths:
+        return f"expected {form.name}"
+    wrong = _check_last_row(row) if len(row) == len(LAST_ROW) ** 2 else ""
+    return wrong or form.check(np.array(take_rotation(row)))
+
+
+def take_rotation(row: Sequence[float]) -> Sequence[float]:
+    """A row without the translation of a homogeneous matrix, 4x4 or its upper three rows."""
+    return [row[4 * i + j] for i in range(3) for j in range(3)] if len(row) in HOMOGENEOUS else row
+
+
+def _check_last_row(row: Sequence[float]) -> str:
+    if all(abs(a - b) <= NORM_TOLERANCE for a, b in zip(row[12:], LAST_ROW, strict=True)):
+        return ""
+    turned = all(abs(row[4 * i + 3]) <= NORM_TOLERANCE for i in range(3))
+    hint = "; is it written by columns? Then transpose it" if turned else ""
+    return f"the last row of a 4x4 matrix is 0, 0, 0, 1, not {', '.join(f'{v:g}' for v in row[12:])}{hint}"
 
 
 def make_quaternions(rows: Sequence[Sequence[float]], writing: Writing) -> Array:
     """Unit quaternions (N, 4) of rows that have no fault."""
-    form, table = FORMS[writing.form], np.array(rows, dtype=float)
+    return convert(np.array([take_rotation(row) for row in rows], dtype=float), writing)
+
+
+def convert(table: Array, writing: Writing) -> Array:
+    """Unit quaternions (N, 4) of rows (N, w) without a fault or a translation."""
+    form = FORMS[writing.form]
     if writing.unit == "deg" and writing.form in ANGLES:
         table = np.radians(table)
     found = form.convert(table, writing.sequence)
@@ -74,7 +99,15 @@ def make_quaternions(rows: Sequence[Sequence[float]], writing: Writing) -> Array
 
 def find_precision(rows: Sequence[Sequence[float]], writing: Writing) -> Precision:
     """How precisely rows that have no fault are written, as their numbers show."""
-    return FORMS[writing.form].measure(np.array(rows, dtype=float))
+    return FORMS[writing.form].measure(np.array([take_rotation(row) for row in rows], dtype=float))
+
+
+def describe_translations(rows: Sequence[Sequence[float]], writing: Writing, source: str) -> tuple[str, ...]:
+    """What is said where matrices hold translations too, which are left alone."""
+    held = any(len(row) in HOMOGENEOUS for row in rows) and FORMS[writing.form].width == MATRIX
+    return (
+        f"the translations of the matrices in {source} are ignored: only their rotations are taken",
+    ) * held
 
 
 def _of_norm_one(row: Array) -> str:
@@ -152,6 +185,7 @@ FORMS: dict[str, Form] = {
         _unit_wxyz,
         lambda rows, _: rows,
         _measure_quaternions,
+        numbered=True,
     ),
     "xyzw": Form(
         "a quaternion of four numbers [x, y, z, w]",
@@ -159,6 +193,7 @@ FORMS: dict[str, Form] = {
         _unit_xyzw,
         lambda rows, _: rows[:, [3, 0, 1, 2]],
         _measure_quaternions,
+        numbered=True,
     ),
     "rotation-vector": Form(
         "a rotation vector of three numbers",

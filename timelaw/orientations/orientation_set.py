@@ -1,5 +1,6 @@
 """The set of orientations a problem names, whatever it was written as."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -9,14 +10,23 @@ from timelaw.errors import Fault, InputError, list_some
 from timelaw.numerics.array import Array, freeze
 from timelaw.numerics.quaternion import multiply
 from timelaw.orientations.angle_files import READERS, read_angles
+from timelaw.orientations.attitude_files import ATTITUDE_READERS
 from timelaw.orientations.equivalence import find_equivalents, make_rotation_group
-from timelaw.orientations.forms import Writing, find_fault, find_precision, make_quaternions
+from timelaw.orientations.forms import (
+    Writing,
+    describe_translations,
+    find_fault,
+    find_precision,
+    make_quaternions,
+)
 from timelaw.orientations.lattices import make_lattice
 from timelaw.orientations.precision import EXACT, Precision
 from timelaw.orientations.spread import measure_covering_radius, measure_separation
 from timelaw.orientations.table import read_table
 from timelaw.orientations.uniform import make_uniform
 from timelaw.problem.route import Orientations
+
+TRAJECTORY, TRAJECTORY_COLUMNS = ".tum", (5, 6, 7, 8)  # t, place, quaternion with the scalar last
 
 
 @dataclass(frozen=True)
@@ -52,6 +62,8 @@ def read_orientations(spec: Orientations, folder: Path) -> OrientationSet:
         InputError: a row of the list or table is wrong, or too few orientations are left.
     """
     found = _read(spec, folder)
+    if spec.only is not None:
+        found = take_part(found, spec.only)
     if spec.turned is not None:
         turned = multiply(multiply(spec.turned.world, found.quaternions), spec.turned.body)
         turned /= np.linalg.norm(turned, axis=1, keepdims=True)
@@ -84,7 +96,8 @@ def _read(spec: Orientations, folder: Path) -> OrientationSet:
             raise InputError(Fault(wrong, f"route.orientations.list[{index + 1}]"))
     points = make_quaternions(rows, writing or Writing())
     precision = find_precision(rows, writing or Writing())
-    return OrientationSet(points, _numbers(len(points)), "list", precision=precision)
+    notes = describe_translations(rows, writing or Writing(), "the list")
+    return OrientationSet(points, _numbers(len(points)), "list", precision=precision, notes=notes)
 
 
 def _from_file(spec: Orientations, path: Path, writing: Writing | None) -> OrientationSet:
@@ -94,11 +107,49 @@ def _from_file(spec: Orientations, path: Path, writing: Writing | None) -> Orien
         if spec.columns is not None:
             message = f'{path.suffix} files have their own columns; give "as" too, or leave "columns" away'
             raise InputError(Fault(message, "route.orientations.columns"))
-        points, numbers, left_out = read_angles(path, spec.unit)
-        notes = (f"{left_out} points of {source} were not indexed and are left out",) if left_out else ()
-        return OrientationSet(points, numbers, source, notes=notes)
-    points, labels, precision = read_table(path, writing, spec.columns)
-    return OrientationSet(points, labels or _numbers(len(points)), source, precision=precision)
+        read = read_angles(path, spec.unit, spec.phase)
+        notes = []
+        if read.unindexed:
+            notes.append(f"{read.unindexed} points of {source} were not indexed and are left out")
+        if read.other_phases:
+            notes.append(f"{read.other_phases} points of {source} are of other phases and are left out")
+        return OrientationSet(read.quaternions, read.labels, source, notes=tuple(notes))
+    if path.suffix.lower() in ATTITUDE_READERS and writing is None:
+        points, told = ATTITUDE_READERS[path.suffix.lower()](path)
+        return OrientationSet(points, _numbers(len(points)), source, notes=told)
+    columns = spec.columns
+    if path.suffix.lower() == TRAJECTORY and writing is None and columns is None:
+        writing, columns = Writing("xyzw"), TRAJECTORY_COLUMNS
+    table = read_table(path, writing, columns)
+    labels = table.labels or _numbers(len(table.quaternions))
+    return OrientationSet(table.quaternions, labels, source, precision=table.precision, notes=table.notes)
+
+
+def take_part(found: OrientationSet, wanted: Sequence[str]) -> OrientationSet:
+    """Those of some labels, or of ranges "first-last" of them, in the order of the set.
+
+    Raises:
+        InputError: there is no such label, or fewer than two are left.
+    """
+    where = "route.orientations.only"
+    index = {label: i for i, label in enumerate(found.labels)}
+    taken: set[int] = set()
+    for text in wanted:
+        ends = [text, text] if text in index else [part.strip() for part in text.split("-", 1)]
+        missing = next((end for end in ends if end not in index), None)
+        if missing is not None or len(ends) < 2 or index[ends[0]] > index[ends[1]]:
+            there = list_some(found.labels)
+            raise InputError(Fault(f'"{text}" is no label, nor a range of them; there are {there}', where))
+        taken.update(range(index[ends[0]], index[ends[1]] + 1))
+    if len(taken) < 2:
+        raise InputError(Fault(f"{len(taken)} orientations; at least two are needed", where))
+    if len(taken) == len(found):
+        return found
+    kept = sorted(taken)
+    labels = tuple(found.labels[i] for i in kept)
+    note = f"{len(kept)} of the {len(found)} orientations of {found.source} are taken"
+    points = found.quaternions[kept]
+    return replace(found, quaternions=points, labels=labels, lattice=None, notes=(*found.notes, note))
 
 
 def _merged(found: OrientationSet, spec: Orientations) -> OrientationSet:

@@ -3,10 +3,12 @@
 import csv
 import io
 import re
+from collections.abc import Collection
 from pathlib import Path
 
 from timelaw.errors import Fault, InputError, shorten
 from timelaw.files import read_text
+from timelaw.orientations.headers import find_commented_header
 from timelaw.units import MOST
 
 MAX_BYTES = 50_000_000
@@ -20,12 +22,13 @@ EMPTY_ROW = "an empty row; fill it in or take it out, for rows are numbered"
 Row = tuple[int, list[str]]
 
 
-def read_rows(path: Path) -> list[Row]:
+def read_rows(path: Path, names: Collection[str] = ()) -> list[Row]:
     """Rows of cells without blanks around them, with the number of the line on which each ends.
 
-    Comments stand before the first row. Empty lines are none; a row of empty cells is refused, for
-    nobody can tell whether it counts. A row has as many cells as the first one, empty ones at the end
-    apart.
+    Comments stand before the first row; the last of them may be its header, if the `names` that are looked
+    for, or those of an orientation, are in it and the first row is all numbers. Empty lines are none; a row
+    of empty cells is refused, for nobody can tell whether it counts. A row has as many cells as the first,
+    empty ones at the end apart.
 
     Raises:
         InputError: with file, line and what is needed.
@@ -41,6 +44,9 @@ def read_rows(path: Path) -> list[Row]:
     _refuse_more(first.count(separator) + 1, MOST_COLUMNS, "columns", path)
     rows = _split(lines, comments, separator, path)
     _refuse_other_widths(rows, path)
+    if comments and rows and all(NUMBER.fullmatch(cell) for cell in rows[0][1] if cell):
+        header = find_commented_header(lines[:comments], separator, measure_width(rows), names)
+        rows = rows if header is None else [(comments, header), *rows]
     return rows
 
 

@@ -1,45 +1,64 @@
 """Orientation tables: CSV with a header that names the columns, or plain numbers in a named form."""
 
 from pathlib import Path
+from typing import NamedTuple
 
 from timelaw.errors import shorten
 from timelaw.files import LONGEST_LABEL
 from timelaw.numerics.array import Array
 from timelaw.orientations.columns import Columns, find_columns
-from timelaw.orientations.forms import FORMS, Writing, find_fault, find_precision, make_quaternions
+from timelaw.orientations.forms import (
+    FORMS,
+    Writing,
+    describe_translations,
+    find_fault,
+    find_precision,
+    make_quaternions,
+)
+from timelaw.orientations.headers import describe_places
 from timelaw.orientations.precision import Precision
-from timelaw.orientations.rows import Row, make_fault, read_number, read_rows
+from timelaw.orientations.rows import Row, make_fault, measure_width, read_number, read_rows
 
 LABEL = "label"
 
 
-def read_table(
-    path: Path, writing: Writing | None = None, columns: Columns | None = None
-) -> tuple[Array, tuple[str, ...] | None, Precision]:
-    """Unit quaternions (N, 4), labels if there is a column `label`, and the precision of a text table.
+class Table(NamedTuple):
+    """Unit quaternions (N, 4), labels if there is a column `label`, the precision, what is left alone."""
+
+    quaternions: Array
+    labels: tuple[str, ...] | None
+    precision: Precision
+    notes: tuple[str, ...]
+
+
+def read_table(path: Path, writing: Writing | None = None, columns: Columns | None = None) -> Table:
+    """The orientations of a text table.
 
     Columns are found by name in any order, those of the form (w, x, y, z or qw, qx, qy, qz for
     quaternions), or the `columns` given, by name or counted from 1; others are left alone. Where a form
     is given, a table of just its columns needs no header. Values are separated by commas, semicolons,
-    tabs or blanks. Lines before the first row that start with # are comments.
+    tabs or blanks. Lines before the first row that start with # are comments; the last may be the header.
 
     Raises:
         InputError: with file, line and what is needed.
     """
     form = FORMS[writing.form if writing else "wxyz"]
-    rows = read_rows(path)
+    names = tuple(name for name in columns or () if isinstance(name, str))
+    rows = read_rows(path, names)
     if not rows:
         needed = ",".join(map(str, columns or form.columns[0]))
         raise make_fault(f"no rows; a header {needed} and a row per orientation are needed", path)
     places, headed = find_columns(rows, form, columns, path, named=writing is not None)
-    header = [name.lower() for name in rows[0][1]] if headed else []
+    header = rows[0][1] if headed else []
     rows = rows[1:] if headed else rows
-    labels = _labels(header, rows, path)
+    labels = _labels([name.lower() for name in header], rows, path)
     table = [_numbers(row, places, path, line, writing or Writing()) for line, row in rows]
     if len(table) < 2:
         raise make_fault(f"{len(table)} orientations; at least two are needed", path)
     form_given = writing or Writing()
-    return make_quaternions(table, form_given), labels, find_precision(table, form_given)
+    notes = describe_translations(table, form_given, path.name)
+    notes += describe_places(header, places, measure_width(rows), path.name)
+    return Table(make_quaternions(table, form_given), labels, find_precision(table, form_given), notes)
 
 
 def _numbers(row: list[str], places: list[int], path: Path, line: int, writing: Writing) -> list[float]:

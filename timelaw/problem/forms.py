@@ -15,10 +15,8 @@ NEEDS = {"rotation-vector": ("unit",), "euler": ("sequence", "unit"), "axis-angl
 
 def read_numbers(value: Any) -> Any:
     """A row of numbers, or a matrix as three rows."""
-    if _is_matrix(value) and [len(row) for row in value] != [3, 3, 3]:
-        whole = len(value) in (3, 4) and all(len(row) == 4 for row in value)
-        hint = "; of a homogeneous one the upper left 3x3 is needed" if whole else ""
-        raise fault(f"a matrix has three rows of three numbers{hint}")
+    if _is_matrix(value) and [len(row) for row in value] not in ([3, 3, 3], [4, 4, 4], [4, 4, 4, 4]):
+        raise fault("a matrix has three rows of three numbers, or with a translation three or four of four")
     flat = [v for row in value for v in row] if _is_matrix(value) else value
     good = isinstance(flat, list) and all(
         isinstance(v, int | float) and not isinstance(v, bool) and abs(v) <= MOST for v in flat

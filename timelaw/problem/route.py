@@ -48,11 +48,12 @@ class Turned(Model):
 class Orientations(Model):
     """Where the orientations come from, exactly one of the four, how they are written, what is done to them.
 
-    `as` names how a file or list writes them, `unit` the unit of its angles, `sequence` the axes of
-    Euler angles: capitals turn with the body, small letters about the fixed axes. `symmetry` is a
-    crystal's rotation group, under which orientations count as the same; `duplicates: merge` keeps
-    the first of those that are the same within `tolerance`. `precision` is the body's turn by which each may
-    differ from what was meant, where the digits do not tell.
+    `as` names how a file or list writes them, `unit` the unit of its angles, `sequence` the axes of Euler
+    angles: capitals turn with the body, small letters about the fixed axes. `phase` takes one phase of a
+    texture tool's map, `only` some of the labels, or ranges of them such as 9-20. `symmetry` is a crystal's
+    rotation group, under which orientations count as the same; `duplicates: merge` keeps the first of those
+    that are the same within `tolerance`. `precision` is the body's turn by which each may differ from what
+    was meant, where the digits do not tell.
     """
 
     lattice: LatticeName | None = None
@@ -62,6 +63,8 @@ class Orientations(Model):
     form: Annotated[FormName | None, Field(alias="as")] = None
     sequence: Annotated[str | None, Field(pattern=SEQUENCE)] = None
     unit: Literal["deg", "rad"] | None = None
+    phase: Annotated[int | None, Field(ge=0, le=255)] = None
+    only: Annotated[tuple[str, ...] | None, BeforeValidator(lambda value: _labels(value))] = None
     columns: Annotated[
         tuple[str, ...] | tuple[int, ...] | None, BeforeValidator(lambda value: _columns(value))
     ] = None
@@ -98,6 +101,8 @@ class Orientations(Model):
             ):
                 owners = '"file"' if key == "columns" else '"file" or "list"'
                 raise fault(f"it describes what a {owners} holds", ALIASES.get(key, key))
+        if self.phase is not None and not self._is_angle_file():
+            raise fault("it belongs to the angle files of texture tools, .ang and .ctf", "phase")
         angles = ("unit",) if self._is_angle_file() else ()
         refuse_half_form(self.form, {"unit": self.unit, "sequence": self.sequence}, without_form=angles)
         return self
@@ -110,13 +115,14 @@ class RouteModel(Model):
     """Which orientations, in which order, and whether the body returns to the first; or curves one by one.
 
     `start` and `end` are labels of where a searched tour begins and ends; without them it may begin
-    and end anywhere.
+    and end anywhere. The motion comes from `home`, an attitude besides, and goes back to it.
     """
 
     orientations: Orientations | None = None
     bezier: Curves | None = None
     tour: Annotated[TourName | tuple[str, ...], BeforeValidator(tour_or_labels(get_args(TourName)))] = "given"
     closed: bool = False
+    home: Annotated[tuple[float, ...] | None, BeforeValidator(lambda value: _unit(value))] = None
     start: Annotated[str | None, BeforeValidator(lambda value: _label(value))] = None
     end: Annotated[str | None, BeforeValidator(lambda value: _label(value))] = None
 
@@ -127,7 +133,7 @@ class RouteModel(Model):
                 raise fault('missing key "orientations"')
             return self
         refuse_mixed(self.bezier)
-        for key in ("orientations", "tour", "closed", "start", "end"):
+        for key in ("orientations", "tour", "closed", "home", "start", "end"):
             if key in self.model_fields_set:
                 raise fault("Bézier curves follow each other as they are given; leave it away", key)
         return self
@@ -142,6 +148,8 @@ class RouteModel(Model):
         for key in ("start", "end"):
             if getattr(self, key) is not None and self.tour not in SEARCHED:
                 raise fault(f"it belongs to a tour that is searched: {', '.join(SEARCHED)}", key)
+        if self.home is not None and self.closed:
+            raise fault('the motion goes back home; leave "closed" away', "home")
         if self.end is not None and self.closed:
             raise fault('a closed tour ends where it starts; leave "end" away', "end")
         if self.start is not None and self.start == self.end:
@@ -165,6 +173,12 @@ def _columns(value: Any) -> Any:
 def _class(value: Any) -> Any:
     """A crystal class, which YAML may take for a number, as in 432."""
     return str(value) if isinstance(value, int) and not isinstance(value, bool) else value
+
+
+def _labels(value: Any) -> tuple[str, ...]:
+    if not isinstance(value, list) or not value:
+        raise fault("a list of labels, or of ranges such as 9-20, is needed")
+    return tuple(_label(label) for label in value)
 
 
 def _label(value: Any) -> str:

@@ -212,7 +212,8 @@ def _by_labels(labels: tuple[str, ...], points: OrientationSet, *, closed: bool)
     there = set(labels)
     missing = [label for label in points.labels if label not in there]
     if missing:
-        raise _fault(f"the tour leaves out {list_some(missing)}; every orientation must be visited")
+        every = 'every orientation must be visited; "only" takes part of them'
+        raise _fault(f"the tour leaves out {list_some(missing)}; {every}")
     return tuple(index[label] for label in labels)
 
 
