@@ -136,7 +136,7 @@ def test_faults_found_after_reading_name_the_file_too(tmp_path):
     (tmp_path / "p.yaml").write_text(text)
     done = timelaw("design", tmp_path / "p.yaml")
     assert done.returncode == 2
-    assert f"{tmp_path / 'p.yaml'}:7:9: route.tour: the tour leaves out 3, 4" in done.stderr
+    assert f"{tmp_path / 'p.yaml'}:8:9: route.tour: the tour leaves out 3, 4" in done.stderr
 
 
 def test_a_folder_that_cannot_be_written(tmp_path):

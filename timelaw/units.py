@@ -72,6 +72,7 @@ _UNITS: dict[str, tuple[Fraction | float, Dimension]] = {
     "Nms": (Fraction(1), (0, -1, 2, 1)),
     "mNms": (Fraction(1, 1000), (0, -1, 2, 1)),
 }
+UNIT_NAMES = tuple(_UNITS)
 _NUMBER = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*)", re.DOTALL)
 _FACTOR = re.compile(r"([A-Za-z°]+)(?:(?:\^|\*\*)([+-]?\d))?$")
 _SUPERSCRIPTS = str.maketrans({"²": "^2", "³": "^3", "⁴": "^4", "·": "*", "⋅": "*"})

@@ -205,6 +205,26 @@ def export(
     return run(Request(law, name, output, rate, grid, epoch, single), as_json=as_json)
 
 
+@timelaw.command()
+@click.argument("kind", type=click.Choice(["lattice", "table", "list"]), required=False)
+@click.option("-o", "--output", type=click.Path(), help="File to write  [default: KIND.yaml]")
+def new(kind: str | None, output: str | None) -> int:
+    """Write a commented problem file to begin with: KIND is lattice, table or list."""
+    from timelaw.cli.new import run
+
+    return run(kind, output)
+
+
+@timelaw.command()
+@click.argument("kind", type=click.Choice(["problem", "study"]), default="problem")
+@click.option("-o", "--output", type=click.Path(), help="File to write  [default: stdout]")
+def schema(kind: str, output: str | None) -> int:
+    """Print the JSON Schema of problem or study files, for editors."""
+    from timelaw.cli.schema import run
+
+    return run(kind, output)
+
+
 def run_command(arguments: list[str]) -> int:
     """Run the command line; returns the exit code of every end but a defect of ours, which is raised.
 
