@@ -19,7 +19,7 @@ vocabulary:  limits least_time easing objectives
 law wing:    motion law_file certificate
 design wing: problem orientations tours route requirements nlp through bezier time_law
 meeting:     compose compose_bezier proved_passages passing pipeline pipeline_bezier
-showing:     report export study reproduce cli
+showing:     report export face study reproduce cli
 """
 WINGS = {wing: rooms.split() for wing, rooms in (line.split(":") for line in PLAN.strip().splitlines())}
 SENTENCE = [room for rooms in WINGS.values() for room in rooms]
