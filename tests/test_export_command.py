@@ -138,6 +138,46 @@ def test_the_exported_motion_ends_on_the_grid(tmp_path, capfd):
         assert arrays["t"][-1] == pytest.approx(28.832, abs=1e-12)
 
 
+def altered(tmp_path, change):
+    document = json.loads(LAWS["dwells"].read_text())
+    change(document)
+    (tmp_path / "law.json").write_text(json.dumps(document))
+    return tmp_path / "law.json"
+
+
+def test_a_law_that_breaks_a_limit_is_written_and_said(tmp_path, capfd):
+    law = altered(tmp_path, lambda document: document["limits"].update(velocity=0.1))
+    code, found, said = export(capfd, law, "--to", "tum")
+    assert code == 1
+    assert not found["ok"]
+    assert "finding: velocity reaches 1.0" in said
+    assert (tmp_path / "trajectory.tum").exists()
+
+
+def test_what_is_no_motion_is_refused(tmp_path, capfd):
+    law = altered(tmp_path, lambda document: document["segments"][1].update(duration=9.0))
+    code, _, said = export(capfd, law, "--to", "tum")
+    assert code == 2
+    assert f"{law}: it is no motion that could be exported: " in said
+    assert not (tmp_path / "trajectory.tum").exists()
+
+
+def test_a_curve_through_zero_has_no_orientation_there(tmp_path, capfd):
+    """Q from q to -q: the limits cannot be proved, and nothing can be drawn there."""
+
+    def turn(document):
+        (segment,) = (s for s in document["segments"][:1])
+        piece = segment["pieces"][0]
+        piece["control"] = [piece["control"][0], [-x for x in piece["control"][0]], piece["control"][0]]
+
+    document = json.loads(LAWS["curves"].read_text())
+    turn(document)
+    (tmp_path / "law.json").write_text(json.dumps(document))
+    code, _, said = export(capfd, tmp_path / "law.json", "--to", "gltf")
+    assert code == 2
+    assert "no motion that could be exported" in said or "no orientation at some instant" in said
+
+
 def test_a_law_that_keeps_given_times_is_not_stretched(tmp_path, capfd):
     document = json.loads(LAWS["dwells"].read_text())
     document["provenance"] = {"given_times": ["objective.total_time"]}

@@ -4,7 +4,7 @@ from functools import cache
 from pathlib import Path
 
 FOLDER = Path(__file__).parent / "corpus"
-KINDS = ("problem", "study", "table", "angles", "law")
+KINDS = ("problem", "study", "table", "angles", "attitude", "law")
 
 
 @cache

@@ -15,6 +15,7 @@ from timelaw.cli.verify import run as verify
 from timelaw.errors import EXIT_BAD_INPUT, EXIT_INFEASIBLE, TimelawError
 from timelaw.orientations import read_orientations
 from timelaw.orientations.angle_files import read_angles
+from timelaw.orientations.attitude_files import ATTITUDE_READERS
 from timelaw.orientations.forms import Writing
 from timelaw.orientations.table import read_table
 from timelaw.pipeline import lay_out_problem
@@ -93,6 +94,11 @@ def read_map(path: Path) -> None:
         read_angles(path, "deg")
 
 
+def read_attitude(path: Path) -> None:
+    """By its ending."""
+    ATTITUDE_READERS[path.suffix](path)
+
+
 def verify_law(path: Path) -> None:
     """All that `verify` does and prints."""
     with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
@@ -104,6 +110,7 @@ READERS = {
     "study": read_whole_study,
     "table": read_tables,
     "angles": read_map,
+    "attitude": read_attitude,
     "law": verify_law,
 }
 

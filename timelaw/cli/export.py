@@ -9,7 +9,7 @@ import numpy as np
 
 from timelaw.certificate import certify
 from timelaw.cli.console import print_json, print_table, say
-from timelaw.errors import EXIT_DONE, Fault, InputError, shorten
+from timelaw.errors import EXIT_DONE, EXIT_FINDINGS, Fault, InputError, shorten
 from timelaw.export.exporter import Exporter, Options
 from timelaw.export.registry import EXPORTERS
 from timelaw.files import write_files
@@ -44,6 +44,7 @@ def run(request: Request, *, as_json: bool) -> int:
     cycle = None if request.grid is None else _read(request.grid, TIME, CYCLES, "--grid")
     path = Path(request.law)
     law, document = read_law(path)
+    findings = _prove(law, path)
     if cycle is not None:
         law = _stretch(law, document, cycle)
     place = path.parent / exporter.file_name if request.output is None else Path(request.output)
@@ -53,10 +54,29 @@ def run(request: Request, *, as_json: bool) -> int:
         files = exporter.name_files(law, options, place)
     write_files({Path(name): content for name, content in files.items()})
     say(f"{law.name}, {law.duration:.9g} s: {', '.join(files)}; {exporter.carries}; lost: {exporter.loses}")
+    for finding in findings:
+        say(f"finding: {finding}")
+    code = EXIT_FINDINGS if findings else EXIT_DONE
     if as_json:
         found = {"name": law.name, "format": request.name, "duration": law.duration, "files": list(files)}
-        print_json({"ok": True, "exit_code": EXIT_DONE, **found, **_describe(exporter)})
-    return EXIT_DONE
+        print_json(
+            {"ok": not findings, "exit_code": code, **found, **_describe(exporter), "findings": findings}
+        )
+    return code
+
+
+def _prove(law: QuaternionLaw, path: Path) -> list[str]:
+    """What does not hold of a law; one that is no motion is not exported.
+
+    Raises:
+        InputError: its geometry or its times do not fit together.
+    """
+    with np.errstate(over="ignore", invalid="ignore"):
+        certificate = certify(law)
+    if not all(check.holds for check in certificate.geometry):
+        message = f"it is no motion that could be exported: {certificate.findings()[-1]}"
+        raise InputError(Fault(f"{message}; see timelaw verify", "", str(path)))
+    return certificate.findings()
 
 
 def list_formats(*, as_json: bool) -> int:

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from timelaw import __version__
+from timelaw.errors import Fault, InputError
 from timelaw.export.exporter import Exporter, Options
 from timelaw.export.gltf_body import list_parts
 from timelaw.export.samples import list_instants
@@ -103,9 +104,12 @@ def write_gltf(law: QuaternionLaw, options: Options) -> dict[str, bytes]:
         for values in outputs.values()
     ]
     channels = [{"sampler": index, "target": {"node": 1, "path": path}} for index, path in enumerate(outputs)]
-    error = {"largestAngleToLaw_rad": measure_error(law, times, q)}
+    error = measure_error(law, times, q)
+    if not np.isfinite(error):
+        raise InputError(Fault("the law has no orientation at some instant", "", law.name))
+    extras = {"largestAngleToLaw_rad": error}
     document = {
-        "asset": {"version": "2.0", "generator": f"timelaw {__version__}", "extras": error},
+        "asset": {"version": "2.0", "generator": f"timelaw {__version__}", "extras": extras},
         "scene": 0,
         "scenes": [{"name": law.name, "nodes": [0]}],
         "nodes": [

@@ -63,7 +63,13 @@ def measure_gain(design: Design) -> Gain | None:
 
 
 def describe_outcome(design: Design, rows: Sequence[LawRow]) -> list[str]:
-    """The law's time or effort against the quintic and the physical limit, and what its easing costs."""
+    """The law's time or effort against quintic and limit, what its easing costs, its control cycle."""
+    cycle = design.problem.output.grid
+    told = f"It was stretched to end on a multiple of the control cycle of {1000 * (cycle or 0.0):.6g} ms."
+    return [*_describe(design, rows), *([told] if cycle is not None else [])]
+
+
+def _describe(design: Design, rows: Sequence[LawRow]) -> list[str]:
     if design.through is not None:
         return describe_passing(design, design.through)
     best = rows[0]

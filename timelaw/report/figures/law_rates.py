@@ -26,9 +26,9 @@ def plot_law(law: QuaternionLaw) -> "Figure":
         axes: Any = figure.subplots(len(ORDERS), 1, sharex=True)
         for order, ax in zip(ORDERS, axes, strict=True):
             _draw(ax, law, order)
-        axes[0].legend(loc="upper right", ncols=4, fontsize=8)
+        axes[0].legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=4, fontsize=8, borderaxespad=0)
         axes[-1].set_xlabel("time [s]")
-        axes[0].set_title(f"{law.name}, {law.duration:.6g} s", fontsize=9)
+        axes[0].set_title(f"{law.name}, {law.duration:.6g} s", fontsize=9, loc="left")
     return figure
 
 
