@@ -1,7 +1,10 @@
 """Robots' formats: ROS 2 messages by their definitions, TUM trajectories by evo, glTF by pygltflib and trimesh."""
 
 import io
+import json
+import shutil
 import struct
+import subprocess
 
 import numpy as np
 import pytest
@@ -125,6 +128,31 @@ def test_gltf_animates_the_body_within_the_error_that_it_states(name, tmp_path):
             law.place(times.clip(0, law.duration)),
             atol=1e-6,
         )
+
+
+VALIDATE = """
+const v = require("gltf-validator"), fs = require("fs");
+v.validateBytes(new Uint8Array(fs.readFileSync(process.argv[1]))).then((r) => console.log(JSON.stringify(r.issues)));
+"""
+
+
+def find_validator():
+    """Whether Khronos' validator can be called: an npm package that nothing here installs."""
+    node = shutil.which("node")
+    found = node and subprocess.run(
+        [node, "-e", 'require("gltf-validator")'], capture_output=True, check=False
+    )
+    return bool(found) and found.returncode == 0
+
+
+@pytest.mark.skipif(not find_validator(), reason="there is no gltf-validator")
+@pytest.mark.parametrize("name", ["paper", "points"])
+def test_khronos_validator_finds_nothing(name, tmp_path):
+    path = tmp_path / "motion.glb"
+    path.write_bytes(EXPORTERS["gltf"].write(law_of(name), Options(30.0))[".glb"])
+    done = subprocess.run(["node", "-e", VALIDATE, path], capture_output=True, text=True, check=True)
+    issues = json.loads(done.stdout)
+    assert issues["messages"] == []
 
 
 def test_gltf_shows_a_box_with_coloured_axes_and_z_upwards():

@@ -69,7 +69,7 @@ def test_equal_legs_of_the_papers_tour_are_formula_1():
     np.testing.assert_allclose(evaluate_formula(law, t), value, atol=1e-7)  # arccos loses half the digits
 
 
-@pytest.mark.parametrize("name", ["dwells", "spline", "points"])
+@pytest.mark.parametrize("name", ["spline", "points"])
 def test_every_line_of_the_latex_can_be_set(name):
     text = EXPORTERS["formula"].write(law_of(name), Options())[".tex"]
     assert text.count(r"\begin{gather*}") == text.count(r"\end{gather*}") == 1

@@ -3,15 +3,23 @@
 import json
 import sys
 from pathlib import Path
+from typing import Any
 
 from timelaw.cli.console import say
 from timelaw.errors import EXIT_DONE
 from timelaw.files import write_text
 from timelaw.interrupts import finish_work
 from timelaw.problem.json_schema import make_problem_schema
-from timelaw.study.json_schema import make_study_schema
 
-SCHEMAS = {"problem": make_problem_schema, "study": make_study_schema}
+
+def _make_study_schema() -> dict[str, Any]:
+    """Studies load all that designs them, which takes a second."""
+    from timelaw.study.json_schema import make_study_schema
+
+    return make_study_schema()
+
+
+SCHEMAS = {"problem": make_problem_schema, "study": _make_study_schema}
 
 
 def run(kind: str, output: str | None) -> int:
