@@ -1,5 +1,6 @@
 """Attitude files of space flight, read by others: CCSDS AEM by ccsds-ndm-py, STK and Basilisk by their layout."""
 
+from dataclasses import replace
 from datetime import datetime
 from itertools import pairwise
 
@@ -79,6 +80,13 @@ def test_a_quarter_turn_about_z_has_the_sense_of_the_standard():
     rows = read_stk(EXPORTERS["stk"].write(law, OPTIONS)[".a"])
     np.testing.assert_allclose(rows[-1, 1:5], [0, 0, np.sqrt(0.5), np.sqrt(0.5)], atol=1e-14)
     assert np.all(rows[1:-1, 7] > 0)
+
+
+def test_names_break_no_line():
+    law = replace(quarter_turn(), name="Überflug\nMETA_STOP")
+    text = EXPORTERS["aem"].write(law, OPTIONS)[".aem"]
+    assert "OBJECT_NAME = ?berflug META_STOP\n" in text
+    assert len(list(read_aem(text))) == 1
 
 
 def test_instants_carry_over_into_the_next_year():

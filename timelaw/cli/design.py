@@ -184,7 +184,7 @@ def _print(done: Design, rows: list[LawRow], folder: Path) -> None:
     say_findings(done.optimised.certificate.findings())
     for sentence in describe_outcome(done, rows):
         say(sentence)
-    for sentence in describe_moves(done.orientations, done.route):
+    for sentence in (*done.orientations.notes, *describe_moves(done.orientations, done.route)):
         say(sentence)
     for status in sorted({s.describe() for s in done.solution.solutions}) if done.through is None else ():
         say(f"{done.family.label}: {status}")

@@ -67,9 +67,10 @@ def _describe(
 ) -> list[str]:
     """The metadata of one segment."""
     first, last = (format_instant(epoch, t) for t in (segment.start_time, segment.end_time))
+    called = _on_one_line(law.name)
     order = {  # as the standard has it
-        "OBJECT_NAME": law.name,
-        "OBJECT_ID": law.name,
+        "OBJECT_NAME": called,
+        "OBJECT_ID": called,
         "CENTER_NAME": "EARTH",
         "REF_FRAME_A": WORLD,
         "REF_FRAME_B": BODY,
@@ -79,8 +80,21 @@ def _describe(
     sense = [line for line in kind if line.startswith("ATTITUDE_DIR")]
     rest = [line for line in kind if line not in sense]
     reading = ["INTERPOLATION_METHOD = LINEAR", "INTERPOLATION_DEGREE = 1"]
-    name = " ".join(segment.name.replace("–", "-").split())
-    return ["META_START", f"COMMENT {name}", *keys, *sense, *time, *rest, *reading, "META_STOP"]
+    return [
+        "META_START",
+        f"COMMENT {_on_one_line(segment.name)}",
+        *keys,
+        *sense,
+        *time,
+        *rest,
+        *reading,
+        "META_STOP",
+    ]
+
+
+def _on_one_line(name: str) -> str:
+    """A name as a value: in ASCII, which the standard has, without breaks."""
+    return " ".join(name.replace("–", "-").encode("ascii", "replace").decode().split()) or "BODY"
 
 
 def _list_rows(epoch: datetime, times: Array, rows: Array) -> Iterator[str]:

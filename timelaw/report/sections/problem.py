@@ -13,6 +13,7 @@ def _context(facts: Facts) -> dict[str, Any]:
     return {
         "order_lines": [
             *describe_order(design.tour),
+            *design.orientations.notes,
             *describe_moves(design.orientations, design.route),
         ],
         "straight": kinds.count("straight"),
