@@ -19,8 +19,11 @@ from timelaw.limits.torque import ACTUATORS, TORQUE_FORMULAS
 from timelaw.motion.kinds import KINDS
 from timelaw.motion.segment import RATES
 from timelaw.objectives import EFFORTS, OBJECTIVES
+from timelaw.orientations.angle_files import READERS
+from timelaw.orientations.attitude_files import ATTITUDE_READERS
 from timelaw.orientations.forms import FORMS
 from timelaw.orientations.lattices import LATTICES
+from timelaw.orientations.orientation_set import TRAJECTORY
 from timelaw.problem import Problem
 from timelaw.problem.body import Body
 from timelaw.problem.forms import NEEDS, FormName
@@ -101,6 +104,16 @@ def test_every_format_writes_a_law_that_designs_write_too_if_it_is_usual(name, p
         assert (tmp_path / name).stat().st_size >= len(content) > 500
         assert (name in list_files(paper, PROBLEMS / "paper-24-cell.yaml")) == exporter.usual
     assert set(exporter.takes) <= {field.name for field in fields(Options)}
+
+
+def test_the_page_of_formats_names_each_with_its_file():
+    page = (Path(timelaw.__file__).parent / "docs" / "formats.md").read_text()
+    rows = [line.split("|")[1:3] for line in page.splitlines() if line.startswith("| `")]
+    named = {cells[0].strip(" `"): cells[1] for cells in rows}
+    for name, exporter in EXPORTERS.items():
+        assert f"`{exporter.file_name}`" in named[name]
+    for suffix in (*READERS, *ATTITUDE_READERS, TRAJECTORY):
+        assert f"`{suffix}`" in page
 
 
 @pytest.mark.parametrize("name", OBJECTIVES)

@@ -21,7 +21,7 @@ from timelaw.problem.source import read
 from timelaw.progress import Progress
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+    from timelaw.report.figures.law_rates import Figure
 
 FROM_DICT = "problem"  # how messages call a problem that is no file; its tables are looked for from here
 

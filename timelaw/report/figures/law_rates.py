@@ -8,7 +8,7 @@ from timelaw.motion import QuaternionLaw
 from timelaw.report.figures.style import AXIS_COLOURS, LIMIT, NODE, SIZES, STYLE, UNITS
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+    from matplotlib.figure import Figure as Figure
 
 ORDERS = (1, 2, 3)
 NORM = "#202124"
