@@ -12,10 +12,10 @@ import pytest
 from tests.laws import LAWS, SMALL, law_of, quarter_turn
 from timelaw.errors import InputError
 from timelaw.export.c99 import make_identifier
-from timelaw.export.c99_tables import TABLES
 from timelaw.export.exporter import Options
 from timelaw.export.formula import TERMS
 from timelaw.export.registry import EXPORTERS
+from timelaw.export.segment_tables import TABLES
 from timelaw.law_file import read_law
 from timelaw.motion.kinds import KINDS
 

@@ -1,6 +1,7 @@
 """`timelaw schema` and `timelaw new`: a foreign validator takes what the program takes, and refuses what a schema can see."""
 
 import json
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -189,3 +190,17 @@ def test_new_asks_nothing_on_a_pipe_and_overwrites_nothing(tmp_path):
     assert "lattice.yaml: is there already; choose another name with -o" in again.stderr
     assert (tmp_path / "lattice.yaml").read_text() == before
     assert {p.name for p in Path(tmp_path).iterdir()} == {"lattice.yaml"}
+
+
+@pytest.mark.skipif(os.name != "posix", reason="pseudo-terminals")
+def test_new_asks_on_a_terminal(tmp_path):
+    ours, theirs = os.openpty()
+    command = [sys.executable, "-m", "timelaw", "new"]
+    with subprocess.Popen(
+        command, stdin=theirs, stderr=theirs, stdout=subprocess.PIPE, cwd=tmp_path
+    ) as process:
+        os.close(theirs)
+        os.write(ours, b"table\n")
+        assert process.wait(60) == 0
+    os.close(ours)
+    assert {p.name for p in tmp_path.iterdir()} == {"table.yaml", "table.csv"}

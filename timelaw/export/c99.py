@@ -9,8 +9,8 @@ import numpy as np
 
 from timelaw.errors import Fault, InputError
 from timelaw.export import c99_code as code
-from timelaw.export.c99_tables import RATES, TableSegment, tabulate_segments
 from timelaw.export.exporter import Exporter, Options
+from timelaw.export.segment_tables import RATES, TableSegment, tabulate_segments
 from timelaw.motion import QuaternionLaw
 from timelaw.numerics.array import Array
 

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from timelaw.export.c99_tables import TABLES
+from timelaw.export.segment_tables import TABLES
 from timelaw.motion import QuaternionLaw
 from timelaw.numerics.array import Array
 from timelaw.numerics.bernstein import evaluate

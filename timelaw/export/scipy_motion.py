@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from timelaw.export.c99_tables import TABLES
+from timelaw.export.segment_tables import TABLES
 from timelaw.motion import QuaternionLaw
 from timelaw.numerics.bernstein import elevate
 
