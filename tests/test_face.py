@@ -152,8 +152,9 @@ def test_the_plot_has_each_rate_with_its_limit(name):
         x, y, z, norm = (line.get_ydata() for line in ax.lines[:4])
         np.testing.assert_allclose(np.sqrt(x**2 + y**2 + z**2), norm, atol=1e-9)
         bound = law.limits.get({1: "velocity", 2: "acceleration", 3: "jerk"}[order])
-        dashed = [line.get_ydata()[0] for line in ax.lines if line.get_linestyle() == "--"]
-        assert dashed == ([pytest.approx(np.degrees(bound))] if isinstance(bound, float) else [])
+        dashed = sorted(line.get_ydata()[0] for line in ax.lines if line.get_linestyle() == "--")
+        both = [-np.degrees(bound), np.degrees(bound)] if isinstance(bound, float) else []
+        assert dashed == pytest.approx(both)
         assert np.max(norm) > 0
 
 

@@ -21,7 +21,7 @@ from timelaw.problem.source import read
 from timelaw.progress import Progress
 
 if TYPE_CHECKING:
-    from timelaw.report.figures.law_rates import Figure
+    from timelaw.report.pictures.render import Figure
 
 FROM_DICT = "problem"  # how messages call a problem that is no file; its tables are looked for from here
 
@@ -46,10 +46,10 @@ class Law(QuaternionLaw):
         return gather_arrays(self, float(rate))
 
     def plot(self, path: str | Path | None = None) -> "Figure":
-        """|ω|, |α|, |jerk| and their components over time, with the limits; written to `path` if given."""
-        from timelaw.report.figures.law_rates import plot_law
+        """ω, α, jerk in body axes and their sizes over time, with the limits; written to `path` if given."""
+        from timelaw.report.pictures.render import draw_picture
 
-        figure = plot_law(self)
+        figure = draw_picture(self, "rates")
         if path is not None:
             figure.savefig(path)
         return figure

@@ -1,14 +1,12 @@
 """Entry point: every way to end has its exit code, and with --json its object on stdout."""
 
-from collections.abc import Callable
-from math import isnan
-
 import click
 
 from timelaw import __version__
 from timelaw.cli.console import describe_error, set_speech
 from timelaw.cli.formats import ListingCommand
 from timelaw.cli.last_word import print_object, wants_json
+from timelaw.cli.options import refuse_nan, speaking
 from timelaw.errors import EXIT_BAD_INPUT, EXIT_DEFECT, EXIT_DONE, Fault, TimelawError
 from timelaw.interrupts import Interrupted, check_interrupted, find_interrupt, say_last_words
 from timelaw.time_limit import limit_time
@@ -17,37 +15,6 @@ SHORTEST, LONGEST = 1e-3, 1e8  # seconds, up to three years: what timers take
 EXIT_CODES = """\b
 Exit codes: 0 done and certified · 1 findings (a limit is broken, a node is missed)
 2 the command line or a file is wrong · 3 no solution · 130 interrupted, 143 terminated"""
-
-
-def _refuse_nan(_context: click.Context, parameter: click.Parameter, value: float | None) -> float | None:
-    """Which no range keeps out."""
-    if value is not None and isnan(value):
-        raise click.BadParameter("nan is not a number", param=parameter)
-    return value
-
-
-def speaking(command: Callable[..., int]) -> Callable[..., int]:
-    """Options of every command: how much is said, and to whom."""
-    options = (
-        click.option(
-            "--no-progress",
-            is_flag=True,
-            expose_value=False,
-            callback=lambda _context, _parameter, value: set_speech(progress=not value),
-            help="Show no progress on a terminal.",
-        ),
-        click.option(
-            "--quiet",
-            is_flag=True,
-            expose_value=False,
-            callback=lambda _context, _parameter, value: set_speech(quiet=value),
-            help="Say nothing but findings and errors.",
-        ),
-        click.option("--json", "as_json", is_flag=True, help="Print one JSON object on stdout."),
-    )
-    for option in reversed(options):
-        command = option(command)
-    return command
 
 
 @click.group(
@@ -66,7 +33,7 @@ def timelaw() -> None:
 @click.option(
     "--time-limit",
     type=click.FloatRange(SHORTEST, LONGEST),
-    callback=_refuse_nan,
+    callback=refuse_nan,
     help="Seconds of wall time, after which the best law so far is taken.",
 )
 @speaking
@@ -136,7 +103,7 @@ def verify(law: str, as_json: bool) -> int:
 @click.argument("law", type=click.Path())
 @click.option("--what", default="traces", help="traces, frames, sphere or rates  [default: traces]")
 @click.option("-o", "--output", required=True, type=click.Path(), help="The picture: .svg, .png or .pdf.")
-@click.option("--json", "as_json", is_flag=True, help="Print one JSON object on stdout.")
+@speaking
 def plot(law: str, what: str, output: str, *, as_json: bool) -> int:
     """Draw a LAW file: the traces of the body axes, the body at the nodes, the route on S³, or the rates."""
     from timelaw.cli.plot import run
@@ -150,7 +117,7 @@ def plot(law: str, what: str, output: str, *, as_json: bool) -> int:
 @click.option(
     "--rate",
     type=click.FloatRange(1, 50),
-    callback=_refuse_nan,
+    callback=refuse_nan,
     default=25,
     show_default=True,
     help="Frames per second.",
@@ -158,7 +125,7 @@ def plot(law: str, what: str, output: str, *, as_json: bool) -> int:
 @click.option(
     "--speed",
     type=click.FloatRange(1e-3, 1e6),
-    callback=_refuse_nan,
+    callback=refuse_nan,
     default=1,
     show_default=True,
     help="Times as fast as it is.",
@@ -166,7 +133,7 @@ def plot(law: str, what: str, output: str, *, as_json: bool) -> int:
 @click.option(
     "--size", type=click.IntRange(64, 2000), default=480, show_default=True, help="Pixels each way."
 )
-@click.option("--json", "as_json", is_flag=True, help="Print one JSON object on stdout.")
+@speaking
 def animate(law: str, output: str, rate: float, speed: float, size: int, *, as_json: bool) -> int:
     """Film the body of a LAW file as it moves, on the sphere of its axes' traces or in space."""
     from timelaw.cli.animate import run
@@ -185,7 +152,7 @@ def animate(law: str, output: str, rate: float, speed: float, size: int, *, as_j
 )
 @click.option("--single", is_flag=True, help="Numbers in single precision (c99).")
 @click.option("--list", "listing", is_flag=True, help="Say of every format what it carries and what is lost.")
-@click.option("--json", "as_json", is_flag=True, help="Print one JSON object on stdout.")
+@speaking
 def export(
     law: str | None,
     name: str | None,

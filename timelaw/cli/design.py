@@ -22,8 +22,8 @@ from timelaw.export.registry import EXPORTERS
 from timelaw.export.samples import refuse_too_many_rows
 from timelaw.pipeline import Design, Layout, design_layout, lay_out_problem
 from timelaw.problem import load_problem
-from timelaw.progress import tell
 from timelaw.problem.output import find_given_times
+from timelaw.progress import tell
 from timelaw.report import LawRow, list_law_rows, render_report
 from timelaw.report.outcome import describe_outcome, measure_gain
 from timelaw.report.passing_text import describe_rungs

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from timelaw.certificate import certify
-from timelaw.cli.console import print_json, print_table, say
+from timelaw.cli.console import print_json, print_table, say, say_findings
 from timelaw.errors import EXIT_DONE, EXIT_FINDINGS, Fault, InputError, shorten
 from timelaw.export.exporter import Exporter, Options
 from timelaw.export.registry import EXPORTERS
@@ -54,8 +54,7 @@ def run(request: Request, *, as_json: bool) -> int:
         files = exporter.name_files(law, options, place)
     write_files({Path(name): content for name, content in files.items()})
     say(f"{law.name}, {law.duration:.9g} s: {', '.join(files)}; {exporter.carries}; lost: {exporter.loses}")
-    for finding in findings:
-        say(f"finding: {finding}")
+    say_findings(findings)
     code = EXIT_FINDINGS if findings else EXIT_DONE
     if as_json:
         found = {"name": law.name, "format": request.name, "duration": law.duration, "files": list(files)}

@@ -2,12 +2,16 @@
 
 import io
 import warnings
+from typing import TYPE_CHECKING
 
 from timelaw.motion import QuaternionLaw
 from timelaw.report.figures.embed import describe_picture, inline_picture
 from timelaw.report.pictures.registry import PICTURES
 from timelaw.report.pictures.sketch import STYLE
 from timelaw.report.pictures.view import AXIS_COLOURS, GRID, INK, MUTED, OMEGA, PAPER
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure as Figure
 
 METADATA: dict[str, dict[str, str | None]] = {
     ".svg": {"Date": None, "Creator": "timelaw"},
@@ -41,6 +45,15 @@ def render_picture(law: QuaternionLaw, name: str, suffix: str) -> bytes:
         return content.getvalue()
     text = content.getvalue().decode()
     return describe_picture(text, f"view-{name}", picture.title, picture.describe(law)).encode()
+
+
+def draw_picture(law: QuaternionLaw, name: str) -> "Figure":
+    """The picture of that name as a figure of Matplotlib's, to be changed and saved."""
+    import matplotlib as mpl
+
+    with mpl.rc_context(STYLE):
+        figure: Figure = PICTURES[name].draw(law)
+    return figure
 
 
 def embed_picture(law: QuaternionLaw, name: str) -> str:
