@@ -41,13 +41,16 @@ def prove_passages(
 ) -> tuple[Through, QuaternionLaw, Certificate]:
     """The law of all passages, each curve run through as fast as what is proved of it allows.
 
-    A curve that then is no faster than stopping, or leaves its arcs too far, is given up.
+    A curve that then is no faster than stopping, leaves its arcs too far, or has rates that rounding makes
+    jump, is given up.
     """
     passages = list(through.passages)
     for number in range(ROUNDS + 1):
         law = _lay(problem, route, requirements, passages, timings)
         certificate = certify(law)
         factors = find_factors(certificate, law, passages)
+        if certificate.continuity.order < problem.nodes.continuity:
+            factors = [1.0 if passage.curve is None else None for passage in passages]
         if all(factor is not None and 1 - 3 * ASIDE < factor <= 1 + ROUNDING for factor in factors):
             break
         given_up = number == ROUNDS - 1
@@ -164,7 +167,7 @@ def prove_given(
             break
         law = _lay(problem, route, requirements, through.passages, ())
         certificate = certify(law)
-        if certificate.limits_hold:
+        if certificate.limits_hold and certificate.continuity.order >= problem.nodes.continuity:
             return through, law, certificate
     if timings is None:
         raise InfeasibleError(Fault(describe_lack(passage), find_place(problem, requirements, route)))

@@ -13,6 +13,7 @@ from timelaw.through.least_time import LeastTime
 from timelaw.through.leaving import limit_deviation
 from timelaw.through.measures import LimitMeasure, Measure, find_use
 from timelaw.through.more_pieces import split
+from timelaw.through.rounding import TOLERABLE, find_blur
 from timelaw.through.search import FIRST_RADIUS, Found, improve
 from timelaw.through.start import begin, settle
 from timelaw.time_limit import is_late
@@ -88,7 +89,8 @@ def climb(
 ) -> tuple[Curve | None, list[Rung]]:
     """The fastest curve of the rungs, and what each came to; None if none holds what is asked.
 
-    Where pieces are asked for, every rung up to them is climbed.
+    Where pieces are asked for, every rung up to them is climbed. A rung whose pieces are so short that
+    rounding would make the rates jump counts for none.
     """
     best: Curve | None = None
     free: list[Curve] = []  # what was found of each rung without a bound on the deviation
@@ -104,10 +106,11 @@ def climb(
         if form.deviation is not None:
             found = _keep_near(free[-1], stretch, limits, form.deviation)
             steps += found.steps
-        time = found.curve.total if found.curve else 0.0
+        blurred = found.curve is not None and find_blur(found.curve, limits) > TOLERABLE
+        time = found.curve.total if found.curve and not blurred else 0.0
         told.append(Rung(degree, pieces, time, steps, found.rows))
         gain = 1.0 if best is None else 1 - time / best.total if time else 0.0
-        if found.curve is not None and gain > 0:
+        if found.curve is not None and gain > 0 and not blurred:
             best = found.curve
         if form.pieces is None and gain < ENOUGH:
             break
