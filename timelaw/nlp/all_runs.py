@@ -80,22 +80,22 @@ def solve_together(
     )  # parts of one run, stretched apart, do not join
     starts = [Solution(start, Status.STRETCHED)] if elastic and apart else []
     failures: list[Verdict] = []
-    solution = solve_from(program, start, failures)
-    if solution is None or not holds_limits(program, solution):
+    solution = _put_on_time(program, solve_from(program, start, failures))
+    if solution is None:
         stops = _stop_everywhere(program)
         others = [stop.timings for stop in stops if not _same(stop.timings, start)]
         solution = _solve_from_any(program, others)
         starts += stops
     if solution is not None:
-        return _on_time(runs, solution, budgets)
-    feasible = [known for known in starts if holds_limits(program, known)]
+        return solution
+    feasible = [on_time for known in starts if (on_time := _put_on_time(program, known)) is not None]
     if feasible:
         known = replace(feasible[0], status=Status.STOPPED) if is_late() else feasible[0]
-        return _on_time(runs, replace(known, failures=tuple(failures)), budgets)
+        return replace(known, failures=tuple(failures))
     if is_late():
         raise InfeasibleError(Fault(TIME_OVER, given[-1].where if given else ""))
     where = _find_hardest(program, start, given)
-    return _on_time(runs, solve_from_peak(program, [start], where), budgets)
+    return _meet_times(program, solve_from_peak(program, [start], where))
 
 
 def solve_weighed(runs: Sequence[RunProblem], least: Sequence[Timing], goal: Goal) -> list[Solution]:
@@ -131,8 +131,8 @@ def _solve_from_any(program: Program, starts: Sequence[Sequence[Timing]]) -> Sol
     from timelaw.nlp.exchange import solve_from
 
     for start in starts:
-        solution = solve_from(program, start)
-        if solution is not None and holds_limits(program, solution):
+        solution = _put_on_time(program, solve_from(program, start))
+        if solution is not None:
             return replace(solution, status=Status.SECOND_START)
     return None
 
@@ -216,7 +216,15 @@ def _too_early(deadline: Deadline, earliest: float) -> Fault:
     return Fault(message, deadline.where)
 
 
-def _on_time(runs: Sequence[RunProblem], solution: Solution, budgets: Sequence[Budget]) -> Solution:
+def _meet_times(program: Program, solution: Solution) -> Solution:
     """Times met to the last digit, which the solver meets to its tolerance, by legs that may be stretched."""
-    elastic = [run.elastic for run in runs for _ in run.demands]
-    return replace(solution, timings=meet_budgets(solution.timings, elastic, budgets))
+    elastic = [run.elastic for run in program.runs for _ in run.demands]
+    return replace(solution, timings=meet_budgets(solution.timings, elastic, program.budgets))
+
+
+def _put_on_time(program: Program, solution: Solution | None) -> Solution | None:
+    """The same on time; None where it then breaks a limit."""
+    if solution is None:
+        return None
+    found = _meet_times(program, solution)
+    return found if holds_limits(program, found) else None
