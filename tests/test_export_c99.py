@@ -2,7 +2,6 @@
 
 import ctypes
 import re
-import shutil
 import subprocess
 from dataclasses import replace
 
@@ -10,6 +9,7 @@ import numpy as np
 import pytest
 
 from tests.laws import LAWS, SMALL, law_of, quarter_turn
+from tests.tools import need
 from timelaw.errors import InputError
 from timelaw.export.c99 import make_identifier
 from timelaw.export.exporter import Options
@@ -19,7 +19,6 @@ from timelaw.export.segment_tables import TABLES
 from timelaw.law_file import read_law
 from timelaw.motion.kinds import KINDS
 
-needs_gcc = pytest.mark.skipif(shutil.which("gcc") is None, reason="there is no gcc")
 STRICT = ["gcc", "-std=c99", "-Wall", "-Wextra", "-pedantic", "-Werror", "-Wconversion", "-O1"]
 MAIN = """\
 #include <stdio.h>
@@ -53,7 +52,12 @@ def instants(law, count=400):
     return np.unique(np.concatenate([np.linspace(0, law.duration, count), law.times]))
 
 
-@needs_gcc
+@pytest.fixture
+def gcc():
+    need("gcc")
+
+
+@pytest.mark.usefixtures("gcc")
 @pytest.mark.parametrize("name", [*LAWS, "moving"])
 def test_doubles_are_the_law_to_1e_12(name, tmp_path):
     law = law_of(name) if name in LAWS else read_law(SMALL / "moving.json")[0]
@@ -66,7 +70,7 @@ def test_doubles_are_the_law_to_1e_12(name, tmp_path):
             np.testing.assert_allclose(values, law.place(t, order), rtol=0, atol=1e-12)
 
 
-@needs_gcc
+@pytest.mark.usefixtures("gcc")
 @pytest.mark.parametrize("name", ["paper", "mixed", "points"])
 def test_single_precision_is_the_law_to_its_own(name, tmp_path):
     law = law_of(name)
@@ -78,7 +82,7 @@ def test_single_precision_is_the_law_to_its_own(name, tmp_path):
         np.testing.assert_allclose(values, law(t.astype(float).clip(0, law.duration), order), atol=tolerance)
 
 
-@needs_gcc
+@pytest.mark.usefixtures("gcc")
 def test_times_beyond_the_ends_are_taken_to_them(tmp_path):
     law = quarter_turn()
     library, _ = compile_law(law, tmp_path)
@@ -87,7 +91,7 @@ def test_times_beyond_the_ends_are_taken_to_them(tmp_path):
     np.testing.assert_allclose(after, [np.sqrt(0.5), 0, 0, np.sqrt(0.5)], atol=1e-15)
 
 
-@needs_gcc
+@pytest.mark.usefixtures("gcc")
 def test_a_program_includes_the_header_and_links_without_more(tmp_path):
     _, files = compile_law(quarter_turn(), tmp_path)
     (tmp_path / "main.c").write_text(MAIN)

@@ -1,12 +1,10 @@
 """The browser of these tests: one for each process. Without it they are skipped, or fail where it is required."""
 
-import os
-
 import pytest
 
 from tests.browser.chromium import Chromium, find_chromium
+from tests.tools import miss
 
-REQUIRED = "TIMELAW_BROWSER"  # set to "required", as .ci/run does, a missing browser is a failure
 MISSING = "Chromium is not installed (apt-get install chromium), or name one in TIMELAW_CHROMIUM"
 
 
@@ -14,9 +12,7 @@ MISSING = "Chromium is not installed (apt-get install chromium), or name one in 
 def browser():
     program = find_chromium()
     if program is None:
-        if os.environ.get(REQUIRED) == "required":
-            pytest.fail(MISSING)
-        pytest.skip(MISSING)
+        miss(MISSING)
     found = Chromium(program)
     yield found
     found.close()
