@@ -182,7 +182,7 @@ CUSPS = {
 }
 
 
-@pytest.mark.parametrize("more", ["", SPLINE])
+@pytest.mark.parametrize("more", ["", pytest.param(SPLINE, marks=pytest.mark.campaign)])
 @pytest.mark.parametrize("name", CUSPS)
 def test_limits_hold_where_the_curves_own_speed_vanishes(name, more):
     design = make([curve(CUSPS[name])], more=more)

@@ -53,7 +53,15 @@ def test_projective_weights_leave_the_path_and_change_its_parameter():
     assert abs(joint.ratios[1]) > 0.01
 
 
-@pytest.mark.parametrize(("continuity", "projective"), [(1, 1.3), (2, 1.0), (2, 1.3), (3, 1.3)])
+@pytest.mark.parametrize(
+    ("continuity", "projective"),
+    [
+        pytest.param(1, 1.3, marks=pytest.mark.campaign),
+        pytest.param(2, 1.0, marks=pytest.mark.campaign),
+        (2, 1.3),
+        (3, 1.3),
+    ],
+)
 def test_a_smooth_joint_is_passed_at_speed(continuity, projective):
     curves = halves(0.3, projective, (TURNS, None))
     limits = RATES if continuity > 1 else "velocity: 60 deg/s, acceleration: 120 deg/s^2"

@@ -38,7 +38,7 @@ KEPT = {
     "there and back": make_law() | {"segments": make_there_and_back(), "duration": 4.0},
 }
 CASES, BOUNDS_LEAST = 30, 300
-MUTATIONS = 75
+MUTATIONS = 40
 SMALL = ("polynomial", "by axis", "torque", "wheels", "moving ends")  # designed in a second or so
 
 

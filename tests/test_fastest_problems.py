@@ -66,7 +66,13 @@ def laid_out(folder, route, more, limits, tour):
     return layout, find_route_limit(layout.route, layout.requirements)
 
 
-@pytest.mark.parametrize("case", CASES)
+LONGER = {"row, closed", "dwells", "half-turns, closed", "half-turns from and to", "ring", "ring of five"}
+
+
+@pytest.mark.parametrize(
+    "case",
+    [pytest.param(case, marks=pytest.mark.campaign) if case in LONGER else case for case in CASES],
+)
 def test_no_order_is_faster(case, tmp_path):
     route, more, limits = CASES[case]
     layout, time = laid_out(tmp_path, route, more, limits, "fastest")

@@ -4,6 +4,7 @@ import json
 import struct
 from itertools import pairwise
 from math import comb
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -26,6 +27,7 @@ from timelaw.pipeline import lay_out
 from timelaw.problem import load_problem
 from timelaw.report.figures.box import draw_box, trace_corners
 from timelaw.report.figures.sphere import AXES, draw_traces
+from timelaw.report.figures.style import WIDE
 
 H = 0.5
 TWELVE = [
@@ -231,9 +233,10 @@ def slope(curve, u, step):
 
 
 def test_hz2019_6_the_box_is_drawn_at_15_instants():
-    picture = draw_box(law_of("points"))
-    assert picture.count('id="Poly3DCollection_') == 15
-    assert "paths of the corners" in picture
+    figure = draw_box(SimpleNamespace(law=law_of("points")), WIDE)
+    (ax,) = figure.axes
+    assert [type(part).__name__ for part in ax.collections] == ["Poly3DCollection"] * 15
+    assert "paths of the corners" in [line.get_label() for line in ax.lines]
 
 
 def test_ir2016_turns_compose_with_the_later_one_on_the_left():

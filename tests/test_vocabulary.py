@@ -94,15 +94,20 @@ def test_every_section_of_the_report_has_its_template_and_every_template_a_secti
     assert {section.template for section in SECTIONS} == {path.name for path in folder.iterdir()}
 
 
+@pytest.fixture(scope="module")
+def written(paper):
+    return set(list_files(paper, PROBLEMS / "paper-24-cell.yaml"))
+
+
 @pytest.mark.parametrize("name", EXPORTERS)
-def test_every_format_writes_a_law_that_designs_write_too_if_it_is_usual(name, paper, tmp_path):
+def test_every_format_writes_a_law_that_designs_write_too_if_it_is_usual(name, paper, written, tmp_path):
     exporter = EXPORTERS[name]
     files = exporter.name_files(paper.optimised.law, Options(10.0))
     assert next(iter(files)) == exporter.file_name
     for name, content in files.items():
         write_file(tmp_path / name, content)
         assert (tmp_path / name).stat().st_size >= len(content) > 500
-        assert (name in list_files(paper, PROBLEMS / "paper-24-cell.yaml")) == exporter.usual
+        assert (name in written) == exporter.usual
     assert set(exporter.takes) <= {field.name for field in fields(Options)}
 
 
