@@ -121,9 +121,16 @@ class Chromium:
         return found["result"].get("value")
 
     def open(
-        self, path: Path, width: int, height: int = 900, *, dark: bool = False, calm: bool = True
+        self,
+        path: Path,
+        width: int,
+        height: int = 900,
+        *,
+        dark: bool = False,
+        calm: bool = True,
+        media: str = "screen",
     ) -> None:
-        """Load a file at a size, in light or dark, and wait until it is drawn."""
+        """Load a file at a size, in light or dark or as for paper, and wait until it is drawn."""
         phone = width < 600
         self.send(
             "Emulation.setDeviceMetricsOverride",
@@ -136,7 +143,7 @@ class Chromium:
             {"name": "prefers-color-scheme", "value": "dark" if dark else "light"},
             {"name": "prefers-reduced-motion", "value": "reduce" if calm else "no-preference"},
         ]
-        self.send("Emulation.setEmulatedMedia", features=features)
+        self.send("Emulation.setEmulatedMedia", media=media, features=features)
         self.events.clear()
         self.send("Page.navigate", url=path.resolve().as_uri())
         self.wait_for("document.readyState === 'complete' && location.protocol === 'file:'")

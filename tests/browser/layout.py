@@ -6,6 +6,7 @@ from pathlib import Path
 from tests.browser.chromium import Chromium, find_chromium
 
 WIDTHS = (390, 1366)  # a phone, a laptop
+PAPER = 718  # px of A4 between its margins of 1 cm
 SMALLEST = 9.0  # px; text of a figure on the phone
 MEASURE = """(smallest) => {
   const found = [], wide = document.documentElement.clientWidth, name = (e) =>
@@ -50,7 +51,7 @@ MEASURE = """(smallest) => {
 
 
 def measure_layout(browser: Chromium, page: Path) -> list[str]:
-    """What is wrong with a page at both widths, light and dark; empty if it reads well."""
+    """What is wrong with a page at both widths, light and dark, and on paper; empty if it reads well."""
     findings = []
     for width in WIDTHS:
         for dark in (False, True):
@@ -59,7 +60,10 @@ def measure_layout(browser: Chromium, page: Path) -> list[str]:
             place = f"{width} px, {'dark' if dark else 'light'}: "
             findings += [place + text for text in browser.evaluate(f"({MEASURE})({smallest})")]
             findings += [place + "console: " + text for text in browser.complaints()]
-    return findings
+    browser.open(page, PAPER, media="print")
+    browser.evaluate("dispatchEvent(new Event('beforeprint'))")
+    browser.settle()
+    return findings + [f"A4: {text}" for text in browser.evaluate(f"({MEASURE})(0)")]
 
 
 def main(pages: list[str]) -> int:
