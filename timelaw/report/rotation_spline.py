@@ -6,9 +6,9 @@ Its ω and α are continuous, its jerk jumps, and it moves at both ends. It is s
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
-from scipy.spatial.transform import Rotation, RotationSpline
 
 from timelaw.limits import make_limits
 from timelaw.motion import QuaternionLaw
@@ -32,6 +32,8 @@ def time_rotation_spline(law: QuaternionLaw) -> Sampled | None:
     None where the body rests on its way, a limit asks for the snap, or a total momentum makes limits that are
     not homogeneous.
     """
+    from scipy.spatial.transform import Rotation, RotationSpline
+
     limits = make_limits(law.limits, law.body)
     rests = len(law.legs) < len(law.segments)
     if rests or any(limit.highest > 3 for limit in limits) or any(law.total_momentum):
@@ -50,7 +52,7 @@ def time_rotation_spline(law: QuaternionLaw) -> Sampled | None:
     return Sampled(factor * float(times[-1] - times[0]), (float(ends[0]), float(ends[1])))
 
 
-def _sample(spline: RotationSpline, first: float, last: float) -> dict[int, Sequence[Array]]:
+def _sample(spline: Any, first: float, last: float) -> dict[int, Sequence[Array]]:
     """ω, α and jerk (3) in body axes at places of one leg, from inside."""
     step = STEP * (last - first)
     t = np.linspace(first + step, last - step, SAMPLES)

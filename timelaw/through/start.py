@@ -5,7 +5,6 @@ from itertools import pairwise
 from typing import Any
 
 import numpy as np
-from scipy.interpolate import make_interp_spline
 
 from timelaw.numerics.array import Array
 from timelaw.numerics.quaternion import multiply
@@ -88,6 +87,8 @@ def _read_spline(
     ends: tuple[Array | None, Array | None] = (None, None),
 ) -> Array:
     """Rates (n, r, 3) at the nodes of the spline in R⁴ that is at rest where it should be."""
+    from scipy.interpolate import make_interp_spline  # takes long to load; most motions stop
+
     times = np.concatenate([[0.0], np.cumsum(duration)])
     degree = SPLINE_DEGREES[smooth]
     rates = np.zeros((len(turn), smooth, 3))
