@@ -166,6 +166,74 @@ def test_jumps_inside_a_segment_count():
     assert any("the origin's way has no gap" in f for f in certificate.findings())
 
 
+def after_another(duration, control, points, jump):
+    """There and back, with a jump of acceleration where they meet, after one more leg from `FIRST`."""
+    document = two_legs()
+    for leg in document["segments"]:
+        leg["start_time"] += duration
+    document["segments"][1]["pieces"][0]["points"][2] = [x + jump for x in LAST]
+    start, end = (np.array(q) / np.linalg.norm(q) for q in (control[0], control[-1]))
+    if end @ document["segments"][0]["start"] < 0:
+        for leg in document["segments"]:
+            leg["start"], leg["end"] = ([-x for x in leg[key]] for key in ("start", "end"))
+            leg["pieces"][0]["control"] = [[-x for x in q] for q in leg["pieces"][0]["control"]]
+    leg = deepcopy(document["segments"][0]) | {"from": "0", "to": "1", "start_time": 0.0}
+    leg |= {"duration": duration, "start": start.tolist(), "end": end.tolist()}
+    leg["pieces"] = [{"duration": duration, "control": control, "points": points}]
+    limits = {"velocity": 1e9}
+    return document | {"segments": [leg, *document["segments"]], "duration": 8.0 + duration, "limits": limits}
+
+
+def brief(jump):
+    """A nanometre in a nanosecond."""
+    near = [FIRST[0] + 1e-9, *FIRST[1:]]
+    return after_another(1e-9, [[1.0, 0.0, 0.0, 0.0]] * 2, [near] * 3 + [FIRST] * 3, jump)
+
+
+def spiked(jump):
+    """Once round about x where a rule of 16 nodes has one of them, a metre off there: D is nearly zero."""
+    u, n, least = float(np.polynomial.legendre.leggauss(16)[0][8] + 1) / 2, 10, 1e-4
+    weights = [comb(n, i) * u**i * (1 - u) ** (n - i) for i in range(n + 1)]
+    control = [[w, 0.0, 0.0, 0.0] for w in (1.0, 1.0, 1.0, 1.0, 0.5, 0.0, -0.5, -1.0, -1.0, -1.0, -1.0)]
+    rest = sum(w * q[0] for w, q in zip(weights, control, strict=True))
+    control[5] = [-rest / weights[5], least / weights[5], 0.0, 0.0]
+    squares = [np.zeros(2 * n + 1), np.zeros(2 * n + 1)]
+    for i in range(n + 1):
+        for j in range(n + 1):
+            part = comb(n, i) * comb(n, j) / comb(2 * n, i + j)
+            for square, k in zip(squares, (0, 1), strict=True):
+                square[i + j] += part * control[i][k] * control[j][k]
+    points = np.outer(squares[0] + squares[1], FIRST) + np.outer(squares[1], [1.0, 0.0, 0.0])
+    return after_another(1.0, control, points.tolist(), jump)
+
+
+@pytest.mark.parametrize("made", [brief, spiked])
+@pytest.mark.parametrize(("jump", "holds"), [(0.0, True), (1e-3, False)])
+def test_nothing_brief_hides_a_jump_of_the_way(made, jump, holds):
+    assert certify(from_document(made(jump))).findings() == (
+        [] if holds else ["the motion is C1, C2 was asked for"]
+    )
+
+
+@pytest.mark.parametrize(("by", "holds"), [(0.0, True), (1e-6, False)])
+def test_the_way_of_a_motion_that_goes_round_closes(by, holds):
+    """The other end is what comes before the start; a motion that starts at speed there may end at it."""
+    document = two_legs() | {"periodic": True}
+    last = document["segments"][1]["pieces"][0]
+    last["points"][3:] = [[x + by for x in FIRST]] * 3
+    findings = certify(from_document(document)).findings()
+    assert (findings == []) is holds
+    for leg, index, sense in ((0, 1, 1), (1, 4, -1)):
+        points = document["segments"][leg]["pieces"][0]["points"]
+        points[index] = [x + sense * 0.01 for x in points[index]]
+        points[index + sense] = [x + sense * 0.02 for x in points[index + sense]]
+    found = certify(from_document(document))
+    assert (found.findings() == []) is holds
+    assert found.translation.nodes[0].jump[1] < 1e-12
+    document["periodic"] = False
+    assert certify(from_document(document)).translation.order == 0
+
+
 def test_a_body_that_only_turns_about_a_point_far_away_has_no_jumps():
     document = moving()
     square = np.array([1.0])

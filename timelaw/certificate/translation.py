@@ -8,7 +8,7 @@ import numpy as np
 
 from timelaw.certificate.continuity import JUMP_TOLERANCE
 from timelaw.certificate.geometry_check import GeometryCheck
-from timelaw.certificate.jump_scale import LOOSE
+from timelaw.certificate.jump_scale import BRIEF, LOOSE
 from timelaw.motion import QuaternionLaw, Segment
 from timelaw.numerics.array import Array
 
@@ -36,7 +36,7 @@ class Crossing:
 class Translation:
     """All nodes, the class inside the segments; `size` [m] is the farthest place, `gap` [m] the worst gap.
 
-    The origin is at rest before the motion and after it.
+    The origin is at rest before the motion and after it, or where that is periodic at its other end.
     """
 
     nodes: tuple[Crossing, ...]
@@ -93,19 +93,20 @@ def check_translation(law: QuaternionLaw) -> Translation | None:
 
 
 def _places(segment: Segment, order: int) -> Array:
-    """Values (m, 3) at Gauss-Legendre nodes of all pieces."""
-    breaks = segment.breaks
+    """Values (m, 3) at Gauss-Legendre nodes of all parts on which no spike stands for the whole."""
+    breaks = segment.even_breaks
     tau = (breaks[:-1, None] + np.diff(breaks)[:, None] * (NODES + 1) / 2).ravel()
     return segment.place(tau, order, "right")
 
 
 def _scale(law: QuaternionLaw, order: int, size: float) -> float:
     """What a jump is judged by, never less than what the rounding of places makes of it."""
+    leg_time = float(np.mean([leg.duration for leg in law.legs])) if law.legs else law.duration
     means = [0.0]
     for leg in law.legs:
-        weights = (np.diff(leg.breaks)[:, None] * WEIGHTS / 2).ravel()
-        means.append(float(weights @ np.linalg.norm(_places(leg, order), axis=1)))
-    leg_time = float(np.mean([leg.duration for leg in law.legs])) if law.legs else law.duration
+        weights = (np.diff(leg.even_breaks)[:, None] * WEIGHTS / 2).ravel()
+        part = min(leg.duration / (BRIEF * leg_time), 1.0)  # a brief leg may be a spike
+        means.append(part * float(weights @ np.linalg.norm(_places(leg, order), axis=1)))
     floor = float(np.finfo(float).eps) * size * (FINE / leg_time) ** order / JUMP_TOLERANCE
     sustained = max(*means, floor)
     bounds = [np.min(s[LIMITS[order]]) for s in _all_limits(law) if LIMITS.get(order) in s]
@@ -125,20 +126,21 @@ def _jumps_inside(segment: Segment, order: int) -> Array:
 
 
 def _cross(law: QuaternionLaw, index: int, scales: Mapping[int, float]) -> Crossing:
-    sides = law.segments[max(index - 1, 0) : index + 1]
-    last = sides[0] if index else None
-    following = sides[-1] if index < len(law.segments) else None
-    jump = {}
-    for order in (0, *LINEAR_ORDERS):
-        before, after = (
-            np.zeros(3) if segment is None else segment.place(np.array([tau]), order, "right")[0]
-            for segment, tau in ((last, 1.0), (following, 0.0))
-        )
-        jump[order] = float(np.linalg.norm(after - before))
-    gap = jump.pop(0) if last and following else 0.0
-    jump.pop(0, None)
+    before, after = _look(law, index - 1, 1.0), _look(law, index, 0.0)
+    gap = 0.0 if before is None or after is None else float(np.linalg.norm(after[0] - before[0]))
+    still = np.zeros((1 + len(LINEAR_ORDERS), 3))
+    steps = (still if after is None else after) - (still if before is None else before)
+    jump = {order: float(np.linalg.norm(steps[order])) for order in LINEAR_ORDERS}
     parts = {order: _divide(size, scales[order]) for order, size in jump.items()}
     return Crossing(law.labels[index], float(law.times[index]), gap, jump, parts, _class(parts))
+
+
+def _look(law: QuaternionLaw, index: int, tau: float) -> Array | None:
+    """Place and rates in a segment; None outside of a motion that does not go round."""
+    if not (law.periodic or 0 <= index < len(law.segments)):
+        return None
+    segment, at = law.segments[index % len(law.segments)], np.array([tau])
+    return np.stack([segment.place(at, order, "right")[0] for order in (0, *LINEAR_ORDERS)])
 
 
 def _divide(size: float, scale: float) -> float:

@@ -86,6 +86,11 @@ class Arc(Moving):
         """Where the pieces of the profile meet (p+1,), in τ."""
         return self.profile.breaks
 
+    @property
+    def even_breaks(self) -> Array:
+        """Its breaks: nothing divides what it turns by."""
+        return self.breaks
+
     def __call__(self, tau: Array, order: int, side: Side) -> Array:
         """At τ (m,): quaternions (m, 4) for order 0, else ω, α, jerk, snap (m, 3) for 1 to 4."""
         rate = self.profile(tau, order, side)

@@ -40,6 +40,7 @@ class Dwell:
     own_limits: ClassVar[tuple[str, ...]] = ()
     document_model: ClassVar[type[Part]] = DwellDocument
     breaks: ClassVar[Array] = np.array([0.0, 1.0])
+    even_breaks: ClassVar[Array] = breaks
     limits: ClassVar[Mapping[str, Bounds]] = MappingProxyType({})
 
     at: str

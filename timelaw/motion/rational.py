@@ -67,6 +67,16 @@ class Rational(Moving):
         breaks[-1] = 1.0
         return np.array(breaks)
 
+    @cached_property
+    def even_breaks(self) -> Array:
+        """The same and those of the parts where D is even (n+1,), in τ."""
+        found, long = [self.breaks], np.diff(self.breaks)
+        for stack in stack_curves(self.pieces):
+            form = stack.form.split()
+            piece = stack.piece[form.piece]
+            found.append(self.breaks[piece] + long[piece] * form.start)
+        return np.unique(np.concatenate(found))
+
     def __call__(self, tau: Array, order: int, side: Side) -> Array:
         """At τ (m,): quaternions (m, 4) for order 0, else ω, α, jerk, snap (m, 3) for 1 to 4."""
         return self._evaluate(self.pieces, tau, order, side, 4 if order == 0 else 3)

@@ -108,6 +108,11 @@ class Segment(Protocol):
         ...
 
     @property
+    def even_breaks(self) -> Array:
+        """The same and more (n+1,), so close that nothing on the parts between them is a spike of |Q|²."""
+        ...
+
+    @property
     def limits(self) -> Mapping[str, Bounds]:
         """Bounds of this segment alone, in SI."""
         ...
