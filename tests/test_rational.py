@@ -13,6 +13,7 @@ from timelaw.certificate import certify
 from timelaw.law_file import from_document, to_document
 from timelaw.limits import LIMITS as LIMITS_OF_ALL
 from timelaw.limits.formula import dot
+from timelaw.motion.deviation import DeviationRow
 from timelaw.motion.quaternion_curve import QuaternionCurve, stack_curves
 from timelaw.numerics.quotient import Quotient, divide
 
@@ -277,3 +278,15 @@ def test_every_limit_is_proved_by_its_own_formula(name, body, by_axis):
     assert len(checks) == len(tops)
     for check, top in zip(checks, tops, strict=True):
         assert top * (1 - 1e-12) <= check.upper <= top * (1 + 1e-4) + 1e-11
+
+
+@pytest.mark.parametrize("short", [0.0, 1e-9, 3e-8, 1e-6, 1e-3, 1.0, 3.0])
+def test_angles_of_deviations_are_right_to_the_last_digits(short):
+    """Near half a turn too, where a sine alone tells nothing: no bound allows more than its angle."""
+    angle = np.pi - short
+    row = DeviationRow(angle)
+    assert row.size(row.bound) <= angle
+    assert row.size(row.bound) >= angle - 5e-8
+    with mpmath.workdps(40):
+        exact = 2 * mpmath.asin(mpmath.sqrt(mpmath.mpf(row.bound)))
+        assert abs(row.size(row.bound) - exact) <= 1e-15 * exact

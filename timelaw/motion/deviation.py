@@ -9,7 +9,7 @@ sin²(δ/2) = ((u₁·Q)² + (u₂·Q)² [+ (e·Q)²])/|Q|². The last term is n
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from math import asin, inf, sin
+from math import atan2, inf, nextafter, sin
 from typing import ClassVar
 
 import numpy as np
@@ -42,12 +42,16 @@ class DeviationRow:
 
     @property
     def bound(self) -> float:
-        """On the square of the sine of half the angle."""
-        return sin(min(self.angle, np.pi) / 2) ** 2
+        """On the square of the sine of half the angle, rounded so that it allows no more than the angle."""
+        square = sin(min(self.angle, np.pi) / 2) ** 2
+        while self.size(square) > self.angle:
+            square = nextafter(square, 0.0)
+        return square
 
     def size(self, value: float) -> float:
-        """δ [rad]."""
-        return 2 * asin(min(abs(value), 1.0) ** 0.5) if value < inf else inf
+        """δ [rad], by sine and cosine: near half a turn one of them alone loses half of the digits."""
+        square = min(abs(value), 1.0)
+        return 2 * atan2(square**0.5, (1 - square) ** 0.5) if value < inf else inf
 
     def rate_bound(self, order: int) -> float:  # noqa: ARG002
         """It bounds no rate."""
