@@ -1,6 +1,6 @@
 """`python -m tests.exact.bounds --count 50000 --seed 1`: proved bounds against exact maxima.
 
-For random and adversarial arcs and rational segments every bound of a certificate is compared with the exact
+For random and adversarial arcs, rational segments, ways of the origin and deviations every bound of a certificate is compared with the exact
 maximum of what it bounds. It may never be lower; by how much it is higher, its slack, is shown by kind of
 segment and quantity, for all and for those that are well scaled: of which nothing cancels to less than a
 thousandth. Some fifteen minutes on one core, of which rational segments take most.
@@ -22,7 +22,7 @@ from typing import Any
 import numpy as np
 from flint import arb
 
-from tests.exact import arcs, curve_cases
+from tests.exact import arcs, curve_cases, path_cases
 from tests.exact.limits import Limited, list_limited
 from tests.exact.motion import Motion
 from tests.exact.rational import largest
@@ -31,8 +31,8 @@ from timelaw.law_file import from_document
 
 WELL_SCALED = 1e-3  # of what the quantity would be if nothing cancelled
 CHUNK = 20  # cases a process takes at once
-CURVED = 0.3  # of the cases
-MAKERS = {"arc": arcs.make_case, "rational": curve_cases.make_case}
+CURVED, PATHS = 0.25, 0.1  # of the cases
+MAKERS = {"arc": arcs.make_case, "rational": curve_cases.make_case, "path": path_cases.make_case}
 
 
 @dataclass(frozen=True)
@@ -48,7 +48,8 @@ class Compared:
 
 def make_case(seed: int, number: int, kind: str | None = None) -> dict[str, Any]:
     """The case of that number: a document of one segment, of one kind if it is named."""
-    drawn = "rational" if Random(f"{seed}/{number}/kind").random() < CURVED else "arc"
+    share = Random(f"{seed}/{number}/kind").random()
+    drawn = "rational" if share < CURVED else "path" if share < CURVED + PATHS else "arc"
     return MAKERS[kind or drawn](seed, number)
 
 
@@ -63,7 +64,7 @@ def compare(document: dict[str, Any], number: int = -1) -> list[Compared]:
     if set(exact) != set(proved):
         return [Compared(f"names differ: {sorted(set(exact) ^ set(proved))}", 0.0, False, True, number)]
     who = _name_actuator(motion)
-    kind = document["segments"][0]["kind"]
+    kind = "path" if motion.travels else document["segments"][0]["kind"]
     return [_compare_one(proved[label], same, (kind, who), number) for label, same in exact.items()]
 
 
@@ -165,7 +166,7 @@ def main(arguments: list[str]) -> int:
     parser = argparse.ArgumentParser(prog="python -m tests.exact.bounds", description=__doc__)
     parser.add_argument("--count", type=int, default=50000, help="bounds")
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--kind", choices=sorted(MAKERS), default=None, help="of the segments; else both")
+    parser.add_argument("--kind", choices=sorted(MAKERS), default=None, help="of the segments; else all")
     parser.add_argument("--processes", type=int, default=os.cpu_count() or 1)
     parser.add_argument("--failures", type=Path, default=Path("exact-failures"))
     options = parser.parse_args(arguments)

@@ -11,6 +11,7 @@ from tests.exact.rational import largest, norm, read, surely_exceeds, surely_kee
 from tests.exact.segments import ORDERS, Segment
 
 JUMP = 1e-9  # of the scale of that order
+LOOSE = 1000  # times the sustained rate
 SHORTEST_SHARE = 1e-3  # of the mean duration; a shorter segment's sustained rate is spread over that
 
 Jumps = dict[int, list]  # by order a vector (3,)
@@ -79,11 +80,15 @@ def _relate(
 
 
 def _divide(motion: Motion, segment: Segment, order: int, jump: list, sustained: arb) -> arb:
-    """In parts of the tightest limit of that order on a segment, else of the motion's sustained rate."""
+    """In parts of the tightest limit of that order on a segment, else of the motion's sustained rate.
+
+    A limit that is a thousand times above that says nothing about jumps.
+    """
     name = next(name for name, k in RATE_ORDERS.items() if k == order)
     given = [limits[name] for limits in (motion.limits, segment.limits) if name in limits]
     if given:
-        return largest([_divide_by_bounds(jump, bounds) for bounds in given])
+        own = largest([_divide_by_bounds(jump, bounds) for bounds in given])
+        return own if sustained.is_zero() else own.max(norm(jump) / (LOOSE * sustained))
     size = norm(jump)
     if size.is_zero():
         return arb(0)
@@ -121,7 +126,7 @@ def find_jumps(motion: Motion, breaks: list[Break]) -> list[str]:
         found.append(f"P6 the motion is C{reached}, C{asked} was asked for")
     for one in breaks:
         names = [*motion.limits, *(name for segment in one.segments for name in segment.limits)]
-        needed = max((LIMIT_ORDERS[name] for name in names), default=0) - 1
+        needed = max((LIMIT_ORDERS.get(name, 0) for name in names), default=0) - 1
         if one.greatest_class() < needed:
             place = f"node {one.node}" if one.node is not None else f"a break in {one.segments[0].place}"
             found.append(

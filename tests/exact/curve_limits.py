@@ -6,18 +6,25 @@ from flint import arb, arb_poly
 
 from tests.exact.curves import Curve
 from tests.exact.motion import Motion
+from tests.exact.origins import NORM, Origin
 from tests.exact.patches import Numerators, Patch
 from tests.exact.rational import apply, cross, dot, largest, norm
 from tests.exact.segments import Segment
 
-NORM = -1  # instead of the number of an axis
 RATE_ORDERS = {"velocity": 1, "acceleration": 2, "jerk": 3, "snap": 4}
+LINEAR_ORDERS = {"linear_velocity": 1, "linear_acceleration": 2}
 
 
 def measure_curves(motion: Motion, segment: Segment, name: str, axis: int) -> tuple[arb, float]:
     """The maximum of one limited quantity on a rational segment, and what it would be if nothing cancelled."""
     found = [_measure(motion, piece, name, axis) for piece in segment.pieces]
     return largest([maximum for maximum, _ in found]), max(gross for _, gross in found)
+
+
+def measure_origins(origins: list[Origin], order: int, axis: int) -> tuple[arb, float]:
+    """The maximum of a rate of the body's origin, and what it would be if nothing cancelled."""
+    most = largest([origin.measure(order, axis) for origin in origins])
+    return most, max(origin.gross(order) for origin in origins)
 
 
 def _measure(motion: Motion, piece: Curve, name: str, axis: int) -> tuple[arb, float]:

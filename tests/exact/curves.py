@@ -15,18 +15,24 @@ from tests.exact.rational import Vector, dot, norm, read, read_all, root
 
 KNOWN = 2000  # pieces that are kept with their extrema
 ORDERS = (1, 2, 3, 4)
+HIGHEST = 5  # derivative of Q
 CURVE_PRECISION = 640  # bits; powers of D lose more than angles do
 MEAN_PRECISION = 160  # bits, of a mean that jumps are judged by
 
+Points = tuple[tuple[float, ...], ...]
+
 
 class Curve:
-    """Q over `duration` h [s] by its control points (d+1, 4)."""
+    """Q over `duration` h [s] by its control points (d+1, 4), and P by its points (m+1, 3) if the body moves."""
 
-    def __init__(self, duration: float, control: tuple[tuple[float, ...], ...]):
+    def __init__(self, duration: float, control: Points, points: Points = ()):
         self.duration = read(duration)
-        self.control = [read_all(point) for point in control]
-        self.parts = [from_bernstein(list(column)) for column in zip(*self.control, strict=True)]
-        self.patches = Patches(self.parts, self.duration)
+        self.control, self.points = ([read_all(point) for point in given] for given in (control, points))
+        self.parts, self.path = (
+            [from_bernstein(list(column)) for column in zip(*given, strict=True)]
+            for given in (self.control, self.points)
+        )
+        self.patches = Patches(self.parts, self.path, self.duration)
         self._known: dict[Hashable, arb] = {}
 
     @cached_property
@@ -43,16 +49,13 @@ class Curve:
 
     def rates_at(self, u: int) -> dict[int, Vector]:
         """ω, α, jerk, snap at u = 0 or 1 by order, rational: the derivatives of N = ω D by Leibniz' rule."""
-        q = [[p(fmpq(u)) for p in self._derivatives[k]] for k in range(6)]
+        q = [[p(fmpq(u)) for p in self.derivatives[k]] for k in range(6)]
         return solve_rates(q)
 
     @cached_property
-    def _derivatives(self) -> list[list[fmpq_poly]]:
+    def derivatives(self) -> list[list[fmpq_poly]]:
         """Q and its derivatives in time."""
-        made = [self.parts]
-        for _ in range(5):
-            made.append([p.derivative() / self.duration for p in made[-1]])
-        return made
+        return derive(self.parts, self.duration)
 
     @cached_property
     def _ends(self) -> tuple[dict[int, Vector], dict[int, Vector]]:
@@ -91,7 +94,7 @@ class Curve:
     @cached_property
     def _means(self) -> list[arb]:
         with ctx.workprec(MEAN_PRECISION):
-            made = [[arb_poly(p) for p in parts] for parts in self._derivatives[: len(ORDERS) + 1]]
+            made = [[arb_poly(p) for p in parts] for parts in self.derivatives[: len(ORDERS) + 1]]
 
             def sizes(u: arb) -> list[arb]:
                 rates = solve_rates([[p(u) for p in parts] for parts in made])
@@ -108,13 +111,7 @@ class Curve:
 
     def gross(self, order: int) -> float:
         """What |rate| is at most if nothing cancels: Leibniz' rule with sizes alone."""
-        sizes, points = [], self.control
-        for _ in range(order + 1):
-            sizes.append(max(float(dot(p, p)) for p in points) ** 0.5)
-            factor = (len(points) - 1) / self.duration
-            points = [[(b - a) * factor for a, b in zip(*two, strict=True)] for two in pairwise(points)] or [
-                [fmpq(0)] * 4
-            ]
+        sizes = list_sizes(self.control, self.duration, order)
         rates: list[float] = []
         for k in range(order):
             total = sum(2 * comb(k, i) * sizes[i] * sizes[k - i + 1] for i in range(k + 1))
@@ -123,6 +120,26 @@ class Curve:
                 total += comb(k, i) * lower * fall
             rates.append(total / self.thinnest)
         return rates[-1]
+
+
+def list_sizes(points: list[Vector], duration: fmpq, order: int) -> list[float]:
+    """What a curve and its first derivatives are at most, by differences of its control points."""
+    sizes = []
+    for _ in range(order + 1):
+        sizes.append(max(float(dot(p, p)) for p in points) ** 0.5)
+        factor = (len(points) - 1) / duration
+        points = [[(b - a) * factor for a, b in zip(*two, strict=True)] for two in pairwise(points)] or [
+            [fmpq(0)] * len(points[0])
+        ]
+    return sizes
+
+
+def derive(parts: list[fmpq_poly], duration: fmpq) -> list[list[fmpq_poly]]:
+    """Polynomials over u = t/h and their derivatives in time."""
+    made = [parts]
+    for _ in range(HIGHEST):
+        made.append([p.derivative() / duration for p in made[-1]])
+    return made
 
 
 def solve_rates(q: list[list]) -> dict[int, list]:
@@ -140,6 +157,6 @@ def solve_rates(q: list[list]) -> dict[int, list]:
 
 
 @lru_cache(maxsize=KNOWN)
-def make_curve(duration: float, control: tuple[tuple[float, ...], ...]) -> Curve:
+def make_curve(duration: float, control: Points, points: Points = ()) -> Curve:
     """The piece of these numbers, its extrema found once."""
-    return Curve(duration, control)
+    return Curve(duration, control, points)

@@ -8,6 +8,7 @@ from tests.exact.motion import Motion
 from tests.exact.nodes import find_long_vectors, find_missed_nodes
 from tests.exact.record import find_false_record
 from tests.exact.times import find_impossible_body, find_wrong_times
+from tests.exact.translation import Way
 
 
 def judge(document: dict[str, Any]) -> list[str]:
@@ -20,12 +21,14 @@ def judge(document: dict[str, Any]) -> list[str]:
     if undefined:
         return undefined
     limited, breaks = list(list_limited(motion)), list_breaks(motion)
+    way = Way(motion) if motion.travels else None
     found = [
         *find_long_vectors(motion),
         *find_missed_nodes(motion),
         *find_wrong_times(motion),
         *(one.finding for one in limited if one.broken),
         *find_jumps(motion, breaks),
+        *(way.find_gaps() + way.find_jumps() if way else []),
         *find_impossible_body(motion),
     ]
-    return found + find_false_record(motion, limited, breaks, holds=not found)
+    return found + find_false_record(motion, limited, breaks, way, holds=not found)

@@ -6,14 +6,16 @@ from typing import Any
 
 from flint import arb, fmpq, fmpq_poly
 
-from tests.exact.curve_limits import NORM, RATE_ORDERS, measure_curves
+from tests.exact.curve_limits import LINEAR_ORDERS, NORM, RATE_ORDERS, measure_curves, measure_origins
+from tests.exact.deviation import measure_deviation
 from tests.exact.motion import Motion
 from tests.exact.pieces import Piece
 from tests.exact.polynomials import enclose_size
-from tests.exact.rational import ROUNDING, largest, nearby, norm, read, root, show, within
+from tests.exact.rational import ROUNDING, largest, nearby, norm, read, read_all, root, show, within
 from tests.exact.segments import Arc, Segment
 
 LIMIT_ORDERS = {**RATE_ORDERS, "torque": 2, "momentum": 1}
+DEVIATION = "deviation"
 AXES = ("x", "y", "z")
 
 
@@ -44,8 +46,14 @@ class Limited:
 def list_limited(motion: Motion) -> Iterator[Limited]:
     """Every limit on every segment on which it holds, in parts where it is given by axis."""
     for segment in motion.segments:
+        if DEVIATION in segment.limits:
+            ends = (read_all(segment.data[key]) for key in ("start", "end"))
+            bound = read(segment.limits[DEVIATION])
+            yield Limited(DEVIATION, bound, *measure_deviation(segment.pieces, *ends), segment)
         for limits, place in ((motion.limits, ""), (segment.limits, f" on {segment.name}")):
             for name, bounds in limits.items():
+                if name == DEVIATION:
+                    continue
                 for axis, bound, label in _split(name, bounds):
                     maximum, gross = measure(motion, segment, name, axis)
                     yield Limited(label + place, bound, maximum, gross, segment)
@@ -62,6 +70,8 @@ def measure(motion: Motion, segment: Segment, name: str, axis: int) -> tuple[arb
     if not segment.moves:
         total = norm(motion.momentum) if name == "momentum" else arb(0)
         return total, float(total.mid())
+    if name in LINEAR_ORDERS:
+        return measure_origins(segment.origins, LINEAR_ORDERS[name], axis)
     if segment.curved:
         return measure_curves(motion, segment, name, axis)
     if name in RATE_ORDERS:

@@ -37,8 +37,21 @@ class Motion:
         """The end of the last segment."""
         return self.segments[-1].begins + self.segments[-1].duration
 
+    @property
+    def periodic(self) -> bool:
+        """Whether it goes round."""
+        return bool(self.document.get("periodic"))
+
+    @property
+    def travels(self) -> bool:
+        """Whether the body's origin moves."""
+        return bool(self.moving) and all(getattr(segment, "origins", []) for segment in self.moving)
+
     def outside(self, side: str, order: int) -> list[arb]:
-        """The rate vector before or after the motion."""
+        """The rate vector before or after the motion: its own other end, of one that goes round."""
+        if self.periodic:
+            ends = self.segments[-1].last(order), self.segments[0].first(order)
+            return [arb(x) for x in ends[0 if side == "before" else 1]]
         given = ((self.document.get("outside") or {}).get(side) or {}).get(RATES[order], [0, 0, 0])
         return [arb(x) for x in read_all(given)]
 

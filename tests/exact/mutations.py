@@ -24,7 +24,8 @@ import numpy as np
 from tests.exact.alterations import ALTERATIONS
 from tests.exact.curve_alterations import CURVE_ALTERATIONS, is_curved
 from tests.exact.judge import judge
-from tests.exact.problems import PROBLEMS, list_laws
+from tests.exact.path_alterations import alter_path, is_path
+from tests.exact.problems import GROUPS
 from tests.exact.rearrangements import REARRANGEMENTS
 from timelaw.certificate import certify
 from timelaw.certificate.record import compare_with_record
@@ -35,6 +36,7 @@ RECORD = ("certificate", "nodes", "provenance", "timelaw")
 ACCEPTED, FOUND, REFUSED, CRASHED = "accepted", "found", "refused", "crashed"
 FAILED = ("accepted though broken", "crashed", "a law that is not accepted")
 CURVED = 0.5  # of the alterations of laws that have rational segments are such as only these can have
+PATHS = 0.5  # and of those that say more of their path, before that
 CHUNK = 25  # mutations a process takes at once
 
 Document = dict[str, Any]
@@ -88,6 +90,8 @@ def alter(laws: dict[str, Document], seed: int, number: int) -> tuple[str, str, 
     rng = Random(f"{seed}/{number}")
     name = rng.choice(sorted(laws))
     document = copy.deepcopy(laws[name])
+    if is_path(document) and rng.random() < PATHS:
+        return name, alter_path(rng, document), document
     own = CURVE_ALTERATIONS if is_curved(document) and rng.random() < CURVED else ()
     change = rng.choice(own or (ALTERATIONS if rng.random() < 0.6 else REARRANGEMENTS))
     return name, change(rng, document), document
@@ -172,8 +176,10 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--processes", type=int, default=os.cpu_count() or 1)
     parser.add_argument("--failures", type=Path, default=Path("exact-failures"))
+    parser.add_argument("--kind", choices=sorted(GROUPS), default=None, help="of the laws; else all")
     options = parser.parse_args(arguments)
-    laws = list_laws(tuple(PROBLEMS))
+    chosen = [options.kind] if options.kind else list(GROUPS)
+    laws = {name: law for kind in chosen for name, law in GROUPS[kind]().items()}
     outcomes = list(run(laws, options.seed, options.count, options.processes))
     failed = [outcome for outcome in outcomes if outcome.row in FAILED]
     for number, outcome in enumerate(failed):

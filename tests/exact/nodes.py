@@ -39,6 +39,12 @@ def list_visits(motion: Motion) -> Iterator[tuple[str, list[Quaternion], arb]]:
         visit.append(normalise(segment.start))
         yield f"node before {segment.place}", visit, error + segment.miss_start()
         visit, error = [normalise(read_all(segment.data["end"]))], segment.miss_end()
+    if motion.periodic:
+        # q and -q are one orientation where a motion goes round
+        first, arrived = normalise(motion.segments[0].start), visit[0]
+        other = [-x for x in first]
+        apart = [measure_turn(arrived, sign) for sign in (first, other)]
+        visit = [*visit, first if apart[0] < apart[1] else other]
     yield f"node after {motion.segments[-1].place}", visit, error
 
 

@@ -1,4 +1,4 @@
-"""Quaternion polynomials on patches of a piece: exact, with what rates and momenta are there over D = Q·Q."""
+"""Polynomials on patches of a piece: exact, with what rates, momenta and places are there over D = Q·Q."""
 
 from collections.abc import Iterator
 from functools import cached_property
@@ -13,14 +13,17 @@ Numerators = list[arb_poly]  # (3,)
 
 
 class Patch:
-    """Q over u = c + r v, v in [-1, 1]; t = h u, so that `width` h r is dt/dv."""
+    """Q and P over u = c + r v, v in [-1, 1]; t = h u, so that `width` h r is dt/dv."""
 
-    def __init__(self, parts: list[fmpq_poly], duration: fmpq, middle: fmpq, depth: int):
+    def __init__(self, whole: "Patches", middle: fmpq, depth: int):
         self.middle, self.depth = middle, depth
         radius = fmpq(1, 2) ** (depth + 1)
-        self.width = duration * radius
-        self.parts = [p(fmpq_poly([middle, radius])) for p in parts]
+        self.width = whole.duration * radius
+        self.parts, self.points = (
+            [p(fmpq_poly([middle, radius])) for p in own] for own in (whole.parts, whole.points)
+        )
         self._rates: dict[int, Numerators] = {}
+        self._places: dict[int, Numerators] = {}
         self._powers: dict[int, arb_poly] = {}
 
     @cached_property
@@ -50,6 +53,18 @@ class Patch:
             self._rates[order] = made
         return self._rates[order]
 
+    def place(self, order: int) -> Numerators:
+        """Y_k, of which the k-th derivative of P/D is Y_k/D^(k+1): Y_0 = P, Y_(k+1) = Y_k' D - (k+1) Y_k D'."""
+        if order not in self._places:
+            if order == 0:
+                made = [arb_poly(p) for p in self.points]
+            else:
+                d, fall = self.power(1), arb_poly(self.square.derivative()) * order
+                scale = 1 / arb(self.width)
+                made = [(x.derivative() * d - x * fall) * scale for x in self.place(order - 1)]
+            self._places[order] = made
+        return self._places[order]
+
     def turn_back(self, vector: list[fmpq]) -> list[fmpq_poly]:
         """D times a vector of the world in body axes."""
         w, *v = self.parts
@@ -66,17 +81,17 @@ def turn_vector(a: list, b: list) -> list:
 
 
 class Patches:
-    """The patches of one piece, made once."""
+    """The patches of one piece, made once; `points` are the components of P, none if it only turns."""
 
-    def __init__(self, parts: list[fmpq_poly], duration: fmpq):
-        self.parts, self.duration = parts, duration
+    def __init__(self, parts: list[fmpq_poly], points: list[fmpq_poly], duration: fmpq):
+        self.parts, self.points, self.duration = parts, points, duration
         self.known: dict[tuple[fmpq, int], Patch] = {}
 
     def get(self, middle: fmpq, depth: int) -> Patch:
         """The one about `middle`, of the 2^depth-th part of the piece."""
         key = (middle, depth)
         if key not in self.known:
-            self.known[key] = Patch(self.parts, self.duration, middle, depth)
+            self.known[key] = Patch(self, middle, depth)
         return self.known[key]
 
     def first(self) -> Iterator[Patch]:

@@ -1,4 +1,4 @@
-"""Certified laws that are altered: small designs of all kinds, laws of curves, and the committed results."""
+"""Certified laws that are altered: small designs of all kinds, laws of curves and of paths, and the committed results."""
 
 import json
 from functools import cache
@@ -7,6 +7,7 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from tests.exact.curve_laws import list_curve_laws
+from tests.exact.path_laws import list_path_laws
 from timelaw import design
 from timelaw.export import format_law
 
@@ -71,6 +72,15 @@ def read_results() -> dict[str, dict[str, Any]]:
     return {path.parent.name: json.loads(path.read_text()) for path in sorted(RESULTS.glob("*/law.json"))}
 
 
+def list_designs(names: tuple[str, ...] = tuple(PROBLEMS)) -> dict[str, dict[str, Any]]:
+    """Small designs of all kinds, by name."""
+    return {name: make_law(name) for name in names}
+
+
+GROUPS = {"arcs": list_designs, "curves": list_curve_laws, "paths": list_path_laws, "results": read_results}
+
+
 def list_laws(names: tuple[str, ...] = tuple(PROBLEMS)) -> dict[str, dict[str, Any]]:
-    """Laws to alter, by name."""
-    return {**{name: make_law(name) for name in names}, **list_curve_laws(), **read_results()}
+    """Laws to alter, by name: those designs, and all of the other groups."""
+    others = (make() for group, make in GROUPS.items() if group != "arcs")
+    return {name: law for laws in (list_designs(names), *others) for name, law in laws.items()}

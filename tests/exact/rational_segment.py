@@ -5,7 +5,8 @@ from itertools import pairwise
 
 from flint import arb
 
-from tests.exact.curves import Curve, make_curve
+from tests.exact.curves import Curve, Points, make_curve
+from tests.exact.origins import Origin
 from tests.exact.quaternions import measure_turn, normalise
 from tests.exact.rational import read_all
 from tests.exact.segments import Segment
@@ -24,9 +25,14 @@ class RationalSegment(Segment):
     def pieces(self) -> list[Curve]:
         """Its pieces."""
         return [
-            make_curve(float(p["duration"]), tuple(tuple(map(float, point)) for point in p["control"]))
+            make_curve(float(p["duration"]), _freeze(p["control"]), _freeze(p.get("points") or []))
             for p in self.data["pieces"]
         ]
+
+    @cached_property
+    def origins(self) -> list[Origin]:
+        """The ways of the body's origin on them; none if it only turns."""
+        return [Origin(piece) for piece in self.pieces if piece.points]
 
     def first(self, order: int) -> list:
         """The rate vector of that order at its first instant."""
@@ -66,3 +72,7 @@ class RationalSegment(Segment):
             for number, piece in enumerate(self.pieces)
             if piece.vanishes
         ]
+
+
+def _freeze(points: list[list[float]]) -> Points:
+    return tuple(tuple(map(float, point)) for point in points)

@@ -5,16 +5,18 @@ from typing import Any
 from flint import arb, fmpq
 
 from tests.exact.continuity import Break
+from tests.exact.curve_limits import RATE_ORDERS
 from tests.exact.limits import Limited
 from tests.exact.motion import Motion
-from tests.exact.rational import CLEAR, largest, read
+from tests.exact.rational import CLEAR, largest, norm, read
+from tests.exact.translation import Way
 
 RECORD = 1e-9  # relative
 LOOSE = 1e-11  # of what a quantity is at most if nothing cancels: a proved bound may exceed the maximum by so much
 
 
 def find_false_record(
-    motion: Motion, limited: list[Limited], breaks: list[Break], *, holds: bool
+    motion: Motion, limited: list[Limited], breaks: list[Break], way: Way | None, *, holds: bool
 ) -> list[str]:
     """P8: where `nodes` and `certificate`, if they are there, say other things than the motion shows."""
     found = _find_false_nodes(motion, breaks)
@@ -25,12 +27,39 @@ def find_false_record(
         return [*found, "P8 the certificate is none"]
     if certificate.get("holds") is not holds:
         found.append(f"P8 the certificate says holds: {certificate.get('holds')}")
-    least = min(one.least_class() for one in breaks)
-    greatest = min(one.greatest_class() for one in breaks)
-    order = certificate.get("continuity")
-    if not (_is_number(order) and least <= order <= greatest):
-        found.append(f"P8 the certificate says C{order}, the motion is C{greatest}")
+    if _is_other_class(certificate.get("continuity"), [*breaks, *(way.breaks if way else [])]):
+        found.append(f"P8 the certificate says C{certificate.get('continuity')}, which the motion is not")
+    if "translation" in certificate:
+        found += _find_false_way(certificate["translation"], way)
     return found + _find_false_limits(certificate.get("limits"), limited)
+
+
+def _is_other_class(order: Any, breaks: list[Break]) -> bool:
+    """Whether a class is surely not that of a motion with these breaks."""
+    least = min(one.least_class() for one in breaks)
+    return not (_is_number(order) and least <= order <= min(one.greatest_class() for one in breaks))
+
+
+def _find_false_way(recorded: Any, way: Way | None) -> list[str]:
+    """The classes of the origin's way, and its jumps at the nodes."""
+    if way is None or not isinstance(recorded, dict):
+        return ["P8 the certificate tells of a way that there is not"]
+    found = []
+    if _is_other_class(recorded.get("continuity"), way.breaks):
+        found.append(f"P8 the certificate says that the way is C{recorded.get('continuity')}")
+    nodes, at_nodes = recorded.get("nodes"), [one for one in way.list_meetings() if one[2] is not None]
+    if not (isinstance(nodes, list) and len(nodes) == len(at_nodes)):
+        return [*found, "P8 the certificate does not know the nodes of the way"]
+    for index, (node, (_, (before, after), _)) in enumerate(zip(nodes, at_nodes, strict=True)):
+        for order, name in enumerate(RATE_ORDERS, 1):
+            jump = norm([b - a for a, b in zip(before[order], after[order], strict=True)])
+            loose = LOOSE * way.gross(order)
+            given = node["jump"].get(name) if isinstance(node.get("jump"), dict) else None
+            if not _is_number(given) or abs(read(given) - jump) > RECORD * (1 + CLEAR) * jump + loose:
+                found.append(
+                    f"P8 the certificate says that the {name} of the way jumps by {given} at node {index}"
+                )
+    return found
 
 
 def _is_number(value: Any) -> bool:
