@@ -166,6 +166,14 @@ def test_jumps_inside_a_segment_count():
     assert any("the origin's way has no gap" in f for f in certificate.findings())
 
 
+def test_a_way_where_the_quaternion_vanishes_is_a_finding():
+    document = moving()
+    document["segments"][0]["pieces"][0]["control"][-1] = [0.0] * 4
+    with np.errstate(over="ignore", invalid="ignore"):  # as the command has it
+        findings = certify(from_document(document)).findings()
+    assert any("the origin's way has no gap" in f or "linear_velocity reaches" in f for f in findings)
+
+
 def after_another(duration, control, points, jump):
     """There and back, with a jump of acceleration where they meet, after one more leg from `FIRST`."""
     document = two_legs()

@@ -42,9 +42,10 @@ class OriginCurve:
         found: list[Array] = []
         for k in range(order + 1):
             value = evaluate(differentiate(self._level.T, k) / h**k, u[..., None])
-            for i, lower in enumerate(found):
-                value = value - comb(k, i) * lower * square[k - i][..., None]
-            found.append(value / square[0][..., None])
+            with np.errstate(divide="ignore", invalid="ignore"):  # where Q vanishes there is no place
+                for i, lower in enumerate(found):
+                    value = value - comb(k, i) * lower * square[k - i][..., None]
+                found.append(value / square[0][..., None])
         return found[-1]
 
     @property
