@@ -11,7 +11,7 @@ from numpy.polynomial.legendre import leggauss
 from tests.exact.broken import Broken, _turn_aside, _with
 from tests.exact.broken_curves import _lower
 from tests.exact.curve_laws import make_rest, piece
-from tests.exact.documents import ONE, document, rational
+from tests.exact.documents import ONE, document, rational, unit
 from tests.exact.false_records import record
 from tests.exact.handmade import follow
 from tests.exact.path_laws import halve_travel, list_path_laws, make_travel
@@ -108,12 +108,22 @@ def list_tolerable_paths() -> dict[str, Document]:
         "a turn on its arc": make_turn(ONE, turned(0.4), turned(1.0), bound=1e-9),
         "a turn nearly half round": make_turn(ONE, turned(0.0, 3.0), turned(1.0), bound=3.0 * (1 + 1e-12)),
         "a turn aside": make_turn(ONE, turned(0.5, 0.2), turned(1.0), bound=0.2 * (1 + 1e-9)),
+        "a leg that begins before its arc by little": _begin_before(1e-12),
         "a turn beyond its arc": make_turn(ONE, turned(1.2), turned(1.0), bound=0.2 * (1 + 1e-9)),
         "a turn before its arc": make_turn(ONE, turned(-0.2), turned(1.0), bound=0.2 * (1 + 1e-9)),
         "a small jump of the way": make_hop(1e-9),
         "a small jump of the way after a spike": make_way_spike(1e-6),
         **{name: laws[name] for name in laws},
     }
+
+
+def _begin_before(by: float) -> Document:
+    """A second leg that begins at speed, by little before its start: aside of no arc, and tolerated there."""
+    law = _strip(list_path_laws()["near the arcs"])
+    here, there = (law["segments"][1][key] for key in ("start", "end"))
+    raised = {"segments__1__limits__deviation": lambda bound: bound * (1 + 1e-9)}
+    moved = unit([x - by * (y - x) for x, y in zip(here, there, strict=True)])
+    return _with(law, limits=FREE, segments__1__pieces__0__control__0=moved, **raised)
 
 
 def _break_limits() -> Iterator[Broken]:

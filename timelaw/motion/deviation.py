@@ -25,6 +25,7 @@ from timelaw.numerics.quotient import Quotient
 DEVIATION = "deviation"
 GRID = 8  # places for each degree at which the side of a plane is looked at
 ASIDE = 1e-9  # of a piece, by which a cut keeps from where a plane is passed
+MISSED = 1e-9  # of Q across a plane; a motion may begin so much before its node
 HALVINGS = 10  # of a part that may be on one side only
 
 
@@ -82,7 +83,8 @@ def _measure(control: Array, error: float, frame: ArcFrame) -> Quotient:
     sides, passed = list(frame.across), 0.0
     for side in (frame.first, -frame.last):
         if _is_ahead(control @ side, slack):
-            passed += (2 * slack) ** 2
+            # where e·Q is negative, it is no lower than its control points
+            passed += (2 * slack + max(-float(np.min(control @ side)), 0.0)) ** 2
         else:
             sides.append(side)
     terms = [Polynomial(control @ side, slack) for side in sides]
@@ -105,8 +107,13 @@ def _slack(control: Array, error: float, frame: ArcFrame) -> float:
 
 
 def _is_ahead(values: Array, slack: float) -> bool:
-    """Whether a polynomial with these control points is nowhere negative, but for rounding."""
-    return float(np.min(values)) >= -slack
+    """Whether a polynomial with these control points is nowhere negative by more than what counts."""
+    return float(np.min(values)) >= -_overlook(values, slack)
+
+
+def _overlook(values: Array, slack: float) -> float:
+    """What is no passing of a plane: rounding, and what a node may be missed by."""
+    return max(slack, MISSED * float(np.max(np.abs(values))))
 
 
 def _find_cuts(control: Array, frame: ArcFrame) -> list[float]:
@@ -151,11 +158,8 @@ def _settle_sides(
 ) -> Iterator[tuple[float, float, Array, float]]:
     """Parts (from, to, control points, rounding), halved while a plane is not passed, as far as is seen."""
     slack = _slack(control, error, frame)
-    open_ = [
-        side
-        for side in (frame.first, -frame.last)
-        if not _is_ahead(control @ side, slack) and min(control[0] @ side, control[-1] @ side) > -slack
-    ]
+    sides = [control @ side for side in (frame.first, -frame.last)]
+    open_ = [v for v in sides if not _is_ahead(v, slack) and min(v[0], v[-1]) >= -_overlook(v, slack)]
     if not open_ or not depth:
         yield 0.0, 1.0, control, error
         return
