@@ -6,7 +6,7 @@ from scipy.interpolate import BSpline
 
 from tests.cases import AXIS, PROBLEMS, control_points, demand, demands, random_limits
 from timelaw import design
-from timelaw.certificate.continuity import JUMP_TOLERANCE
+from timelaw.certificate.jump_scale import JUMP_TOLERANCE
 from timelaw.easing import Profile
 from timelaw.easing.breaks import divide_breaks
 from timelaw.easing.family import SplineFamily

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from flint import arb, fmpq
+from flint import arb
 
 from tests.exact.limits import LIMIT_ORDERS, RATE_ORDERS
 from tests.exact.motion import Motion
@@ -11,6 +11,8 @@ from tests.exact.rational import largest, norm, read, surely_exceeds, surely_kee
 from tests.exact.segments import ORDERS, Segment
 
 JUMP = 1e-9  # of the scale of that order
+FINE = 500  # parts of a mean leg, over which rounded numbers show no rate
+SPACING = 2.0**-52  # of doubles near one
 LOOSE = 1000  # times the sustained rate
 SHORTEST_SHARE = 1e-3  # of the mean duration; a shorter segment's sustained rate is spread over that
 
@@ -82,23 +84,24 @@ def _relate(
 def _divide(motion: Motion, segment: Segment, order: int, jump: list, sustained: arb) -> arb:
     """In parts of the tightest limit of that order on a segment, else of the motion's sustained rate.
 
-    A limit that is a thousand times above that says nothing about jumps.
+    A limit that is a thousand times above that says nothing about jumps. What rounded quaternions show is none.
     """
     name = next(name for name, k in RATE_ORDERS.items() if k == order)
     given = [limits[name] for limits in (motion.limits, segment.limits) if name in limits]
-    if given:
-        own = largest([_divide_by_bounds(jump, bounds) for bounds in given])
-        return own if sustained.is_zero() else own.max(norm(jump) / (LOOSE * sustained))
-    size = norm(jump)
+    floor = arb(SPACING) * arb(FINE / motion.mean_time) ** order / arb(JUMP) if segment.curved else arb(0)
+    size, kept = norm(jump), sustained.max(floor)
     if size.is_zero():
         return arb(0)
-    return size / sustained if not sustained.is_zero() else arb.pos_inf()
+    if given:
+        own = largest([_divide_by_bounds(jump, bounds, floor) for bounds in given])
+        return own if kept.is_zero() else own.max(size / (LOOSE * sustained).max(floor))
+    return size / kept if not kept.is_zero() else arb.pos_inf()
 
 
-def _divide_by_bounds(jump: list, bounds: float | list[float]) -> arb:
+def _divide_by_bounds(jump: list, bounds: float | list[float], floor: arb) -> arb:
     if isinstance(bounds, list):
-        return largest([abs(arb(x)) / read(b) for x, b in zip(jump, bounds, strict=True)])
-    return norm(jump) / read(bounds)
+        return largest([abs(arb(x)) / arb(read(b)).max(floor) for x, b in zip(jump, bounds, strict=True)])
+    return norm(jump) / arb(read(bounds)).max(floor)
 
 
 def measure_sustained_rates(motion: Motion) -> dict[int, arb]:
@@ -106,7 +109,7 @@ def measure_sustained_rates(motion: Motion) -> dict[int, arb]:
     moving = motion.moving
     if not moving:
         return dict.fromkeys(ORDERS, arb(0))
-    mean = sum((segment.duration for segment in moving), fmpq(0)) / len(moving)
+    mean = motion.mean_time
     speed = largest([segment.size(1) for segment in moving])
     rates = {}
     for k in ORDERS:

@@ -33,6 +33,11 @@ class Motion:
         return [segment for segment in self.segments if segment.moves]
 
     @property
+    def mean_time(self) -> fmpq:
+        """Of a segment that turns the body."""
+        return sum((segment.duration for segment in self.moving), fmpq(0)) / len(self.moving)
+
+    @property
     def end(self) -> fmpq:
         """The end of the last segment."""
         return self.segments[-1].begins + self.segments[-1].duration

@@ -7,7 +7,7 @@ from typing import Any
 
 from flint import arb, fmpq
 
-from tests.exact.continuity import JUMP, LOOSE, SHORTEST_SHARE, Break
+from tests.exact.continuity import FINE, JUMP, LOOSE, SHORTEST_SHARE, SPACING, Break
 from tests.exact.curve_limits import LINEAR_ORDERS
 from tests.exact.motion import Motion
 from tests.exact.origins import NORM, ORDERS
@@ -16,8 +16,6 @@ from tests.exact.rational_segment import MARGIN
 from tests.exact.segments import Segment
 
 GAP = 1e-9  # of the farthest place
-FINE = 500  # parts of a mean leg, over which places that are rounded show no rate
-SPACING = 2.0**-52  # of doubles near one
 
 Ends = tuple[list, list]  # the place and its derivatives before and after
 
@@ -83,14 +81,13 @@ class Way:
         return largest(parts)
 
     def _floor(self, order: int) -> arb:
-        moving = self.motion.moving
-        mean = sum((segment.duration for segment in moving), fmpq(0)) / len(moving)
+        mean = self.motion.mean_time
         return arb(SPACING) * self.farthest * arb(FINE / mean) ** order / arb(JUMP)
 
     def _sum_means(self) -> dict[int, arb]:
         """The largest mean of each rate over a leg; a brief leg counts for as much as a thousandth of the mean."""
         moving = self.motion.moving
-        mean = sum((segment.duration for segment in moving), fmpq(0)) / len(moving)
+        mean = self.motion.mean_time
         return {
             k: largest([_sum_rate(s, k) / max(s.duration, mean * read(SHORTEST_SHARE)) for s in moving])
             for k in ORDERS

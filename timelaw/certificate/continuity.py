@@ -6,13 +6,11 @@ from typing import Any
 
 import numpy as np
 
-from timelaw.certificate.jump_scale import JumpScale, list_scales
+from timelaw.certificate.jump_scale import JUMP_TOLERANCE, JumpScale, list_scales
 from timelaw.motion import QuaternionLaw, Segment
 from timelaw.motion.segment import RATES, Edges
 from timelaw.numerics.array import Array
 from timelaw.numerics.turn import SAME_AXIS, angle_between_axes
-
-JUMP_TOLERANCE = 1e-9  # of the limit of that order, or of what the motion sustains
 
 
 @dataclass(frozen=True)

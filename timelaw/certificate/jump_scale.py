@@ -12,6 +12,8 @@ from timelaw.motion import QuaternionLaw, Segment
 from timelaw.motion.segment import RATES
 from timelaw.numerics.array import Array
 
+JUMP_TOLERANCE = 1e-9  # of the scale
+FINE = 500  # parts of a mean leg: differences over them are the shortest that rounded numbers resolve
 BRIEF = 1e-3  # of the mean leg; what is shorter counts for as much: a leg of its own may be a spike
 LOOSE = 1e3  # times what is sustained: a limit above that says nothing about jumps
 
@@ -33,24 +35,39 @@ def list_scales(law: QuaternionLaw) -> dict[int, list[JumpScale]]:
     The limits of that order, the law's and the segment's own, unless they are far above what the motion
     sustains of the rate; where there is none, that itself: the largest mean size over a leg, at least the
     largest mean ω over the (k-1)-th power of the whole duration, for in a steady turn all else is rounding.
+    Where rates are read off rounded quaternions, never less than what these resolve.
     """
     names = {order: name for name, order in ORDERS.items()}
     slowest = _sustain(law, 1)
     found = {}
     for k in RATES:
         sustained = np.array(max(_sustain(law, k), slowest / np.power(law.duration, k - 1.0)))
-        found[k] = [_choose(law, segment, names[k], sustained) for segment in law.segments]
+        floor = find_floor(law, k, 1.0)
+        found[k] = [
+            _choose(law, segment, names[k], sustained, floor * segment.rounded) for segment in law.segments
+        ]
     return found
 
 
-def _choose(law: QuaternionLaw, segment: Segment, name: str, sustained: Array) -> JumpScale:
+def find_floor(law: QuaternionLaw, order: int, size: float) -> float:
+    """The scale of which the tolerance is what rounding shows of the k-th derivative of numbers of a size."""
+    return float(np.finfo(float).eps) * size * (FINE / find_mean_time(law)) ** order / JUMP_TOLERANCE
+
+
+def find_mean_time(law: QuaternionLaw) -> float:
+    """Of a leg [s]; the whole duration where there is none."""
+    return float(np.mean([leg.duration for leg in law.legs])) if law.legs else law.duration
+
+
+def _choose(law: QuaternionLaw, segment: Segment, name: str, sustained: Array, floor: float) -> JumpScale:
     given = tuple(np.array(part[name]) for part in (law.limits, segment.limits) if name in part)
-    return JumpScale((*given, LOOSE * sustained) if given else (sustained,))
+    bounds = (*given, LOOSE * sustained) if given else (sustained,)
+    return JumpScale(tuple(np.maximum(bound, floor) for bound in bounds))
 
 
 def _sustain(law: QuaternionLaw, order: int) -> float:
     """The largest mean size of a rate over a leg."""
-    brief = BRIEF * float(np.mean([leg.duration for leg in law.legs])) if law.legs else 0.0
+    brief = BRIEF * find_mean_time(law)
     legs = [(s.duration, edges) for s, edges in zip(law.segments, law.edges, strict=True) if s.moves]
     return max((float(edges.sums[order - 1]) / max(time, brief) for time, edges in legs), default=0.0)
 

@@ -6,16 +6,14 @@ from typing import Any
 
 import numpy as np
 
-from timelaw.certificate.continuity import JUMP_TOLERANCE
 from timelaw.certificate.geometry_check import GeometryCheck
-from timelaw.certificate.jump_scale import BRIEF, LOOSE
+from timelaw.certificate.jump_scale import BRIEF, JUMP_TOLERANCE, LOOSE, find_floor, find_mean_time
 from timelaw.motion import QuaternionLaw, Segment
 from timelaw.numerics.array import Array
 
 NAMES = {1: "velocity", 2: "acceleration", 3: "jerk", 4: "snap"}  # of the origin, in the world
 LIMITS = {1: "linear_velocity", 2: "linear_acceleration"}
 PLACE_TOLERANCE = 1e-9  # of the farthest place from the world's origin
-FINE = 500  # parts of a mean leg: differences over them are the shortest that rounded places resolve
 LINEAR_ORDERS = tuple(NAMES)
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(16)
 
@@ -101,13 +99,13 @@ def _places(segment: Segment, order: int) -> Array:
 
 def _scale(law: QuaternionLaw, order: int, size: float) -> float:
     """What a jump is judged by, never less than what the rounding of places makes of it."""
-    leg_time = float(np.mean([leg.duration for leg in law.legs])) if law.legs else law.duration
+    leg_time = find_mean_time(law)
     means = [0.0]
     for leg in law.legs:
         weights = (np.diff(leg.even_breaks)[:, None] * WEIGHTS / 2).ravel()
         part = min(leg.duration / (BRIEF * leg_time), 1.0)  # a brief leg may be a spike
         means.append(part * float(weights @ np.linalg.norm(_places(leg, order), axis=1)))
-    floor = float(np.finfo(float).eps) * size * (FINE / leg_time) ** order / JUMP_TOLERANCE
+    floor = find_floor(law, order, size)
     sustained = max(*means, floor)
     bounds = [np.min(s[LIMITS[order]]) for s in _all_limits(law) if LIMITS.get(order) in s]
     return max(float(min([LOOSE * sustained, *bounds])), floor) if bounds else sustained

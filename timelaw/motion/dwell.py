@@ -37,6 +37,7 @@ class Dwell:
 
     kind: ClassVar[str] = "dwell"
     moves: ClassVar[bool] = False
+    rounded: ClassVar[bool] = False
     own_limits: ClassVar[tuple[str, ...]] = ()
     document_model: ClassVar[type[Part]] = DwellDocument
     breaks: ClassVar[Array] = np.array([0.0, 1.0])

@@ -41,6 +41,7 @@ class Rational(Moving):
 
     kind: ClassVar[str] = "rational"
     moves: ClassVar[bool] = True
+    rounded: ClassVar[bool] = True
     own_limits: ClassVar[tuple[str, ...]] = (DEVIATION,)
     document_model: ClassVar[type[Part]] = RationalDocument
 

@@ -59,6 +59,7 @@ class Segment(Protocol):
 
     kind: ClassVar[str]
     moves: ClassVar[bool]
+    rounded: ClassVar[bool]  # whether its rates are read off quaternions, which are rounded
     own_limits: ClassVar[tuple[str, ...]]
     document_model: ClassVar[type[Part]]
 

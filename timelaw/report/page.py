@@ -9,7 +9,7 @@ import numpy as np
 from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 from markupsafe import Markup
 
-from timelaw.certificate.continuity import JUMP_TOLERANCE
+from timelaw.certificate.jump_scale import JUMP_TOLERANCE
 from timelaw.pipeline import Design
 from timelaw.report.figures.drawing import Drawing
 from timelaw.report.figures.drawn import Scene

@@ -5,7 +5,7 @@ from typing import Any
 
 from markupsafe import Markup
 
-from timelaw.certificate.continuity import JUMP_TOLERANCE
+from timelaw.certificate.jump_scale import JUMP_TOLERANCE
 from timelaw.limits.torque import TORQUE_FORMULAS
 from timelaw.pipeline_bezier import BezierDesign
 from timelaw.report.curves.joint_text import describe_joints

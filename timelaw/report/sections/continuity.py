@@ -3,7 +3,7 @@
 from typing import Any
 
 from timelaw.certificate import NodeReport
-from timelaw.certificate.continuity import JUMP_TOLERANCE
+from timelaw.certificate.jump_scale import JUMP_TOLERANCE
 from timelaw.report.section import RATES, Facts, Section
 
 
