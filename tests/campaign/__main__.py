@@ -5,7 +5,7 @@ import os
 import sys
 from pathlib import Path
 
-from tests.campaign.generators import make_case
+from tests.campaign.generators import KINDS, make_case
 from tests.campaign.judge import FAILED
 from tests.campaign.pool import Job, Pool
 from tests.campaign.records import append_record, make_record, read_records, summarise, write_failure
@@ -21,6 +21,7 @@ def parse(arguments: list[str]) -> argparse.Namespace:
     parser.add_argument(
         "--small", action="store_true", help="few nodes and cheap easings, as the default tests"
     )
+    parser.add_argument("--kind", choices=sorted(KINDS), default=None, help="of the problems; else all")
     parser.add_argument("--processes", type=int, default=os.cpu_count() or 1)
     parser.add_argument(
         "--time-limit", type=float, default=120.0, help="CPU time of a case [s]; beyond it hangs"
@@ -35,11 +36,12 @@ def main(arguments: list[str]) -> int:
     """Run what is asked for; 1 if a case failed, 130 if interrupted."""
     options = parse(arguments)
     if options.case is not None:
-        print(make_case(options.seed, options.case, small=options.small).text)
+        print(make_case(options.seed, options.case, small=options.small, kind=options.kind).text)
         numbers, known, out = [options.case], [], None
     else:
-        out = options.out or Path(f"campaign-{options.seed}{'-small' if options.small else ''}.jsonl")
-        known = [r for r in read_records(out) if (r["seed"], r["small"]) == (options.seed, options.small)]
+        out = options.out or Path(_name_file(options))
+        asked = (options.seed, options.small, options.kind)
+        known = [r for r in read_records(out) if (r["seed"], r["small"], r.get("kind")) == asked]
         done = {record["case"] for record in known}
         numbers = [k for k in range(options.count) if k not in done]
     folder = options.failures or (out or Path("campaign")).with_suffix("")
@@ -51,11 +53,17 @@ def main(arguments: list[str]) -> int:
     return int(any(record["verdict"] in FAILED for record in records))
 
 
+def _name_file(options: argparse.Namespace) -> str:
+    """Where records go if nothing is said."""
+    parts = [options.seed, options.kind, "small" if options.small else None]
+    return "-".join(["campaign", *(str(part) for part in parts if part is not None)]) + ".jsonl"
+
+
 def _run(
     options: argparse.Namespace, numbers: list[int], records: list[dict], out: Path | None, folder: Path
 ) -> bool:
     """Run cases, appending to `records`; whether it was interrupted."""
-    jobs = [Job(options.seed, number, options.small) for number in numbers]
+    jobs = [Job(options.seed, number, options.small, options.kind) for number in numbers]
     try:
         with Pool(options.processes, options.time_limit) as pool:
             for job, case, result in pool.run(jobs):

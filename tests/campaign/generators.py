@@ -7,6 +7,7 @@ import numpy as np
 
 from tests.campaign import least, settings, times
 from tests.campaign.attitude import about
+from tests.campaign.beziers import draw_problem
 from tests.campaign.legs import lay
 from tests.campaign.passing import ask_to_pass
 from tests.campaign.scenes import NEARLY, SCENES, random_axis, written
@@ -224,6 +225,11 @@ def passing(draft: Draft) -> None:
     draft.data["motion"] = ask_to_pass(draft.rng, draft.data)
 
 
+def bezier(draft: Draft) -> None:
+    """Along Bézier curves."""
+    draw_problem(draft)
+
+
 KINDS = {
     f.__name__: (f, share)
     for f, share in (
@@ -239,24 +245,30 @@ KINDS = {
         (moving, 4),
         (boundary, 3),
         (passing, 6),
+        (bezier, 0),  # drawn by itself: what is drawn of the others stays as it is
     )
 }
 SELDOM = {"snap": 0.5, "passing": 2}  # among small cases: these cost most
+CURVED = 0.05  # of the cases
+WITHOUT_SCENE = ("boundary", "bezier")
 BASELINES: tuple[list[str], ...] = (["quintic", "double-s"], ["quintic"], ["double-s"], [])
 
 
-def make_case(seed: int, number: int, *, small: bool = False) -> Case:
-    """Case `number` of a seed."""
+def make_case(seed: int, number: int, *, small: bool = False, kind: str | None = None) -> Case:
+    """Case `number` of a seed, of one kind if it is named."""
     rng = np.random.default_rng([seed, number, int(small)])
-    kind, scene = _choose(rng, KINDS, SELDOM if small else {}), _choose(rng, SCENES, {})
+    drawn, scene = _choose(rng, KINDS, SELDOM if small else {}), _choose(rng, SCENES, {})
+    curved = np.random.default_rng([seed, number, int(small), len(KINDS)]).random() < CURVED
+    kind = kind or ("bezier" if curved else drawn)
     draft = Draft(rng, small, f"case-{seed}-{number}")
-    draft.data["route"] = SCENES[scene][0](rng, small)
-    if kind not in ("moving", "boundary") and scene in ("scatter", "body_axes") and rng.random() < 0.15:
-        draft.data["route"]["closed"] = True
+    if kind != "bezier":
+        draft.data["route"] = SCENES[scene][0](rng, small)
+        if kind not in ("moving", "boundary") and scene in ("scatter", "body_axes") and rng.random() < 0.15:
+            draft.data["route"]["closed"] = True
     KINDS[kind][0](draft)
-    if rng.random() < 0.4:
+    if kind != "bezier" and rng.random() < 0.4:
         draft.data["baselines"] = BASELINES[int(rng.integers(len(BASELINES)))]
-    return Case(seed, number, kind if kind == "boundary" else f"{kind}/{scene}", write(draft.data))
+    return Case(seed, number, kind if kind in WITHOUT_SCENE else f"{kind}/{scene}", write(draft.data))
 
 
 def _choose(rng, registry, instead) -> str:

@@ -10,19 +10,25 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
 from tests.campaign.answer_checks import ANSWER_CHECKS
+from tests.campaign.curve_checks import CurveEvidence, look_at_curves
+from tests.campaign.curve_refusal import judge_curve_refusal
 from tests.campaign.evidence import Evidence
 from tests.campaign.law_checks import LAW_CHECKS, arcs_are_kept
 from tests.campaign.passing import PASSING_CHECKS
 from tests.campaign.refusal import CONFIRMED, UNCONFIRMED, WRONG, judge_input_error, judge_refusal
-from tests.campaign.spec import read_spec
+from tests.campaign.spec import Spec, read_spec
 from timelaw import design
+from timelaw.cli.bezier import list_files as list_curve_files
 from timelaw.cli.design import list_files
 from timelaw.errors import InfeasibleError, InputError
+from timelaw.pipeline_bezier import design_curves
+from timelaw.problem import load_problem
 
 CERTIFIED, NOT_CERTIFIED, TRACEBACK, HANG = "certified", "not certified", "traceback", "hang"
 VERDICTS = (CERTIFIED, CONFIRMED, UNCONFIRMED, NOT_CERTIFIED, TRACEBACK, HANG, WRONG)
 FAILED = (NOT_CERTIFIED, TRACEBACK, HANG, WRONG)
 
+TOO_MANY = re.compile(r"output.rate: \d+ rows")
 ROWS, MOST_ROWS = re.compile(r"output.rate: (\d+) rows in"), 2_000_000
 LINES = 9  # of a traceback: its end says where
 
@@ -73,6 +79,8 @@ def judge(text: str, *, files: bool = False) -> Result:
 
 def _design_and_look(path: Path, text: str, *, files: bool) -> Result:
     spec, begun = read_spec(text), cpu()
+    if spec.curved:
+        return _design_curves(path, spec, begun, files=files)
     try:
         done = design(path)
         left_out = _make_files(done, path) if files else ""
@@ -81,20 +89,50 @@ def _design_and_look(path: Path, text: str, *, files: bool) -> Result:
     except InputError as error:
         return _refused(str(error), cpu() - begun, *judge_input_error(spec, str(error)))
     except Exception:  # the very thing that is looked for
-        lines = traceback.format_exc().splitlines()
-        return Result(TRACEBACK, ["\n".join(lines[-LINES:])], designing=cpu() - begun)
+        return _crashed(begun)
     took = cpu() - begun
     evidence = Evidence(spec, done)
     findings = [left_out] if left_out else []
-    findings += look(evidence)
-    certificate = done.optimised.certificate
-    verdict = WRONG if findings else CERTIFIED
-    if not certificate.holds:
-        verdict = NOT_CERTIFIED
-        findings = [*(f"certificate: {finding}" for finding in certificate.findings()), *findings]
+    verdict, findings = _weigh(done, [*findings, *look(evidence)])
     jump = max((jump[0] for jump in evidence.jumps), default=0.0)
     status = sorted({s.status.name for s in done.solution.solutions})
     return Result(verdict, findings, "", float(jump), evidence.beyond, status, took)
+
+
+def _design_curves(path: Path, spec: Spec, begun: float, *, files: bool) -> Result:
+    """The same along Bézier curves."""
+    try:
+        problem, source = load_problem(path)
+        done = design_curves(path, problem, source)
+        left_out = (
+            [f"files: {why}" for why in list_curve_files(done)[1] if not TOO_MANY.search(why)]
+            if files
+            else []
+        )
+    except (InfeasibleError, InputError) as error:
+        return _refused(str(error), cpu() - begun, *judge_curve_refusal(spec, str(error)))
+    except Exception:  # the very thing that is looked for
+        return _crashed(begun)
+    took = cpu() - begun
+    verdict, findings = _weigh(done, [*left_out, *look_at_curves(CurveEvidence(spec, done))])
+    certificate = done.optimised.certificate
+    jump = max(certificate.continuity.worst.values(), default=0.0)
+    status = ["STOPPED" if run.found.stopped else "CONVERGED" for run in done.runs]
+    return Result(verdict, findings, "", float(jump), 0.0, sorted(set(status)), took)
+
+
+def _weigh(done, findings: list[str]) -> tuple[str, list[str]]:
+    """The verdict, and all that was found."""
+    certificate = done.optimised.certificate
+    if certificate.holds:
+        return (WRONG if findings else CERTIFIED), findings
+    return NOT_CERTIFIED, [*(f"certificate: {finding}" for finding in certificate.findings()), *findings]
+
+
+def _crashed(begun: float) -> Result:
+    """Of an exception that nobody caught."""
+    lines = traceback.format_exc().splitlines()
+    return Result(TRACEBACK, ["\n".join(lines[-LINES:])], designing=cpu() - begun)
 
 
 def _make_files(done, path: Path) -> str:

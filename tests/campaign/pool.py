@@ -23,6 +23,7 @@ class Job:
     seed: int
     number: int
     small: bool = False
+    kind: str | None = None
 
 
 def work(job: Job, limit: float, pipe) -> None:
@@ -30,7 +31,7 @@ def work(job: Job, limit: float, pipe) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.signal(signal.SIGPROF, signal.SIG_DFL)
     signal.setitimer(signal.ITIMER_PROF, limit)
-    case = make_case(job.seed, job.number, small=job.small)
+    case = make_case(job.seed, job.number, small=job.small, kind=job.kind)
     pipe.send((case, judge(case.text, files=job.number % FILES_EVERY[job.small] == 0)))
     pipe.close()
 
@@ -106,5 +107,5 @@ class Pool:
 
     def give_up(self, job: Job, verdict: str, finding: str, seconds: float = 0.0):
         """The result of a job whose process has ended without one."""
-        case = make_case(job.seed, job.number, small=job.small)
+        case = make_case(job.seed, job.number, small=job.small, kind=job.kind)
         return case, Result(verdict, [finding], seconds=seconds)

@@ -24,7 +24,13 @@ def read_records(path: Path) -> list[dict]:
 
 def make_record(job: Job, case: Case, result: Result) -> dict:
     """A case and its verdict."""
-    key = {"seed": job.seed, "case": job.number, "small": job.small, "generator": case.generator}
+    key = {
+        "seed": job.seed,
+        "case": job.number,
+        "small": job.small,
+        "kind": job.kind,
+        "generator": case.generator,
+    }
     failed = {"text": case.text} if result.failed else {}
     return {**key, **result.to_dict(), **failed}
 

@@ -13,6 +13,7 @@ from tests.campaign.attitude import unit
 DEGREE = np.pi / 180
 UNITS = {"deg": DEGREE, "rad": 1.0, "s": 1.0, "ms": 1e-3, "min": 60.0, "h": 3600.0, "": 1.0}
 UNITS |= {f"{a}/s{p}": UNITS[a] for a in ("deg", "rad") for p in ("", "^2", "^3", "^4")}
+UNITS |= {f"{a}{p}": size for a, size in (("m", 1.0), ("mm", 1e-3)) for p in ("", "/s", "/s^2")}
 UNITS |= {"N*m": 1.0, "mN*m": 1e-3, "N*m*s": 1.0, "kg*m^2": 1.0}
 QUANTITY = re.compile(r"([-+0-9.eE]+)\s*(.*)$")
 RATES = {"velocity": 1, "acceleration": 2, "jerk": 3, "snap": 4}
@@ -72,6 +73,11 @@ class Spec:
         """Whether the nodes are passed without a stop."""
         motion = self.data.get("motion", "arcs")
         return (motion["kind"] if isinstance(motion, dict) else motion) == "through"
+
+    @property
+    def curved(self) -> bool:
+        """Whether the route is one of Bézier curves."""
+        return "bezier" in self.data["route"]
 
     @property
     def closed(self) -> bool:
@@ -147,7 +153,7 @@ class Spec:
 def read_spec(text: str) -> Spec:
     """Read a problem text."""
     data = YAML(typ="safe", pure=True).load(StringIO(text))
-    points, precision = _points(data["route"]["orientations"])
+    points, precision = _points(data["route"].get("orientations", {}))
     nodes = data.get("nodes") or {}
     return Spec(
         data,
