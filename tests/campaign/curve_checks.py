@@ -28,7 +28,7 @@ PLACES, GRID = (
 EXCEEDS = 1e-8  # of a limit; samples in doubles resolve no less
 JUMP = 1e-7  # of a rate's scale
 AGREES = 1e-6
-ROUNDED, FINE = 1e-15, 500  # of a place; parts of a leg
+ROUNDED, FINE = 4e-15, 500  # of a place; parts of a leg
 SLOWER = 1e-6
 FAST = 1e-4  # of a bound that quadrature finds
 

@@ -12,7 +12,7 @@ from tests.exact.segments import ORDERS, Segment
 
 JUMP = 1e-9  # of the scale of that order
 FINE = 500  # parts of a mean leg, over which rounded numbers show no rate
-SPACING = 2.0**-52  # of doubles near one
+SPACING = 2.0**-50  # four of doubles near one
 LOOSE = 1000  # times the sustained rate
 SHORTEST_SHARE = 1e-3  # of the mean duration; a shorter segment's sustained rate is spread over that
 

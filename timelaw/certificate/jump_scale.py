@@ -13,6 +13,7 @@ from timelaw.motion.segment import RATES
 from timelaw.numerics.array import Array
 
 JUMP_TOLERANCE = 1e-9  # of the scale
+ROUNDING = 4 * float(np.finfo(float).eps)  # of numbers: differences of two, on both sides of a jump
 FINE = 500  # parts of a mean leg: differences over them are the shortest that rounded numbers resolve
 BRIEF = 1e-3  # of the mean leg; what is shorter counts for as much: a leg of its own may be a spike
 LOOSE = 1e3  # times what is sustained: a limit above that says nothing about jumps
@@ -51,7 +52,7 @@ def list_scales(law: QuaternionLaw) -> dict[int, list[JumpScale]]:
 
 def find_floor(law: QuaternionLaw, order: int, size: float) -> float:
     """The scale of which the tolerance is what rounding shows of the k-th derivative of numbers of a size."""
-    return float(np.finfo(float).eps) * size * (FINE / find_mean_time(law)) ** order / JUMP_TOLERANCE
+    return ROUNDING * size * (FINE / find_mean_time(law)) ** order / JUMP_TOLERANCE
 
 
 def find_mean_time(law: QuaternionLaw) -> float:
