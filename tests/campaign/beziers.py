@@ -185,6 +185,7 @@ def limit_origin(rng, limits: dict, curves: list[Curve]) -> None:
     for name, order in LINEAR_UNITS.items():
         if rng.random() < 0.7:
             value = size * 10 ** (rng.uniform(-2, 1) if rng.random() < 0.7 else rng.uniform(-4, 4))
+            value = min(max(value, 1e-7), 1e5)
             scale, length = (1000.0, "mm") if rng.random() < 0.3 else (1.0, "m")
             limits[name] = settings.bound(
                 rng, value * scale, f"{length}/s" + ("^2" if order == 2 else ""), 0.3

@@ -157,6 +157,7 @@ def measure_gap(before: Bezier, after: Bezier) -> tuple[float, float]:
 
 
 SAME, OTHER = 1e-12, 1e-8  # relative: alike below the one, not above the other, unsure between
+NOTHING = 1e-12
 SLOW = 1e-5  # of the fastest along the curve: too near to no direction at all to be told
 
 
@@ -169,7 +170,11 @@ def classify(before: Bezier, after: Bezier) -> tuple[range, range]:
         )
         for part in (slice(0, 3), slice(3, 6))
     ]
-    weights = np.repeat([1 / size if size else 0.0 for size in fastest], 3)
+    farthest = max(0.0 if c.points is None else float(np.max(np.abs(c.points))) for c in (before, after))
+    shown = (NOTHING, NOTHING * farthest)  # of a body that does not turn, or move, there is rounding alone
+    weights = np.repeat(
+        [1 / size if size > least else 0.0 for size, least in zip(fastest, shown, strict=True)], 3
+    )
     x, y = (c.expand(u) * weights * np.array([1, 1, 2, 6])[:, None] for c, u in ((before, 1.0), (after, 0.0)))
     x, y = x[:HIGHEST], y[:HIGHEST]
     parametric = _count(
