@@ -81,6 +81,13 @@ def _relate(
     return parts
 
 
+def count_parts(segment: Segment) -> int:
+    """2 n p of p pieces of degree n, at most 500; 0 for what is no curve."""
+    if not segment.curved:
+        return 0
+    return min(2 * len(segment.pieces) * max(len(piece.control) - 1 for piece in segment.pieces), FINE)
+
+
 def _divide(motion: Motion, segment: Segment, order: int, jump: list, sustained: arb) -> arb:
     """In parts of the tightest limit of that order on a segment, else of the motion's sustained rate.
 
@@ -88,7 +95,7 @@ def _divide(motion: Motion, segment: Segment, order: int, jump: list, sustained:
     """
     name = next(name for name, k in RATE_ORDERS.items() if k == order)
     given = [limits[name] for limits in (motion.limits, segment.limits) if name in limits]
-    floor = arb(SPACING) * arb(FINE / motion.mean_time) ** order / arb(JUMP) if segment.curved else arb(0)
+    floor = arb(SPACING) * arb(count_parts(segment) / motion.mean_time) ** order / arb(JUMP)
     size, kept = norm(jump), sustained.max(floor)
     if size.is_zero():
         return arb(0)

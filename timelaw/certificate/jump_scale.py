@@ -14,7 +14,7 @@ from timelaw.numerics.array import Array
 
 JUMP_TOLERANCE = 1e-9  # of the scale
 ROUNDING = 4 * float(np.finfo(float).eps)  # of numbers: differences of two, on both sides of a jump
-FINE = 500  # parts of a mean leg: differences over them are the shortest that rounded numbers resolve
+FINE = 500.0  # parts of a mean leg: differences over them are the shortest that rounded numbers resolve
 BRIEF = 1e-3  # of the mean leg; what is shorter counts for as much: a leg of its own may be a spike
 LOOSE = 1e3  # times what is sustained: a limit above that says nothing about jumps
 
@@ -43,16 +43,19 @@ def list_scales(law: QuaternionLaw) -> dict[int, list[JumpScale]]:
     found = {}
     for k in RATES:
         sustained = np.array(max(_sustain(law, k), slowest / np.power(law.duration, k - 1.0)))
-        floor = find_floor(law, k, 1.0)
         found[k] = [
-            _choose(law, segment, names[k], sustained, floor * segment.rounded) for segment in law.segments
+            _choose(law, segment, names[k], sustained, find_floor(law, k, 1.0, segment.fineness))
+            for segment in law.segments
         ]
     return found
 
 
-def find_floor(law: QuaternionLaw, order: int, size: float) -> float:
-    """The scale of which the tolerance is what rounding shows of the k-th derivative of numbers of a size."""
-    return ROUNDING * size * (FINE / find_mean_time(law)) ** order / JUMP_TOLERANCE
+def find_floor(law: QuaternionLaw, order: int, size: float, fineness: float = FINE) -> float:
+    """The scale of which the tolerance is what rounding shows of the k-th derivative of numbers of a size.
+
+    As if every leg were a mean one: a brief one may be a spike.
+    """
+    return ROUNDING * size * (min(fineness, FINE) / find_mean_time(law)) ** order / JUMP_TOLERANCE
 
 
 def find_mean_time(law: QuaternionLaw) -> float:

@@ -62,7 +62,7 @@ class Arc(Moving):
 
     kind: ClassVar[str] = "arc"
     moves: ClassVar[bool] = True
-    rounded: ClassVar[bool] = False
+    fineness: ClassVar[float] = 0.0
     own_limits: ClassVar[tuple[str, ...]] = ()
     document_model: ClassVar[type[Part]] = ArcDocument
 

@@ -37,7 +37,7 @@ class Dwell:
 
     kind: ClassVar[str] = "dwell"
     moves: ClassVar[bool] = False
-    rounded: ClassVar[bool] = False
+    fineness: ClassVar[float] = 0.0
     own_limits: ClassVar[tuple[str, ...]] = ()
     document_model: ClassVar[type[Part]] = DwellDocument
     breaks: ClassVar[Array] = np.array([0.0, 1.0])

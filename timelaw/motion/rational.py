@@ -41,7 +41,6 @@ class Rational(Moving):
 
     kind: ClassVar[str] = "rational"
     moves: ClassVar[bool] = True
-    rounded: ClassVar[bool] = True
     own_limits: ClassVar[tuple[str, ...]] = (DEVIATION,)
     document_model: ClassVar[type[Part]] = RationalDocument
 
@@ -59,6 +58,11 @@ class Rational(Moving):
     def travels(self) -> bool:
         """Whether it says where the origin is."""
         return bool(self.origins)
+
+    @property
+    def fineness(self) -> float:
+        """2 n p: its k-th power bounds the k-th derivative of p pieces of degree n, of size one."""
+        return 2.0 * len(self.pieces) * max(len(piece.control) - 1 for piece in self.pieces)
 
     @cached_property
     def breaks(self) -> Array:
@@ -193,9 +197,8 @@ class Rational(Moving):
     def stretched(self, factor: float, start_time: float) -> "Rational":
         """The same curve `factor` times as slow, from `start_time` [s]: its control points stay."""
         pieces = tuple(replace(piece, duration=piece.duration * factor) for piece in self.pieces)
-        origins = tuple(
-            replace(origin, turn=piece) for origin, piece in zip(self.origins, pieces, strict=False)
-        )
+        turned = zip(self.origins, pieces, strict=False)
+        origins = tuple(replace(origin, turn=piece) for origin, piece in turned)
         duration = self.duration * factor
         return replace(self, start_time=start_time, duration=duration, pieces=pieces, origins=origins)
 

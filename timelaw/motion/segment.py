@@ -59,13 +59,17 @@ class Segment(Protocol):
 
     kind: ClassVar[str]
     moves: ClassVar[bool]
-    rounded: ClassVar[bool]  # whether its rates are read off quaternions, which are rounded
     own_limits: ClassVar[tuple[str, ...]]
     document_model: ClassVar[type[Part]]
 
     @property
     def name(self) -> str:
         """How reports call it."""
+        ...
+
+    @property
+    def fineness(self) -> float:
+        """2 n p of p pieces of quaternions of degree n, whose rounding its rates show; 0 without."""
         ...
 
     @property

@@ -4,47 +4,41 @@ Each problem is designed anew, the traces of its body axes drawn small beside th
 table between the page's marks replaced.
 """
 
-import io
 from argparse import ArgumentParser
 from collections.abc import Sequence
 from pathlib import Path
 
-from timelaw.face import design
-from timelaw.pipeline_bezier import BezierDesign
+from timelaw.pipeline import Design, design_problem
+from timelaw.pipeline_bezier import BezierDesign, design_curves
+from timelaw.problem import load_problem
 from timelaw.report import list_law_rows
 from timelaw.report.curves.outcome import list_curve_tiles
 from timelaw.report.headline import Tile, list_tiles
-from timelaw.report.pictures.render import render_picture
+from timelaw.report.pictures.render import render_small
 from timelaw.reproduce.command import run_main
 from timelaw.reproduce.readme_tables import format_markdown, replace_table
 
 MARK = "gallery"
 HEADINGS = ("motion", "problem file", "what came of it")
-WIDTH, QUALITY = 240, 80  # pixels, and of the WebP file
+WIDTH = 240  # pixels
 
 
-def shrink(png: bytes) -> bytes:
-    """A picture as a small WebP file."""
-    from PIL import Image
-
-    content = io.BytesIO()
-    with Image.open(io.BytesIO(png)) as picture:
-        height = round(picture.height * WIDTH / picture.width)
-        small = picture.convert("RGB").resize((WIDTH, height), Image.Resampling.LANCZOS)
-    small.save(content, format="WEBP", quality=QUALITY)
-    return content.getvalue()
+def design_file(path: Path) -> Design | BezierDesign:
+    """The design of a problem file of either kind."""
+    problem, source = load_problem(path)
+    return (design_curves if problem.route.bezier else design_problem)(path, problem, source)
 
 
 def show_problem(path: Path, folder: Path) -> list[str]:
     """A row of the table; the picture is written into the folder."""
-    found = design(path)
-    certified = found.optimised.certificate.holds
+    found = design_file(path)
+    law, certified = found.optimised.law, found.optimised.certificate.holds
     tiles: list[Tile]
     if isinstance(found, BezierDesign):
         tiles = list_curve_tiles(found)
     else:
         tiles = list_tiles(found, list_law_rows(found))
-    (folder / f"{path.stem}.webp").write_bytes(shrink(render_picture(found.law, "traces", ".png")))
+    (folder / f"{path.stem}.webp").write_bytes(render_small(law, "traces", WIDTH))
     told = "<br>".join(f"**{tile.number}** {tile.words}" for tile in tiles)
     verdict = "certified" if certified else "NOT certified"
     name = f"[{path.stem}](../../problems/{path.name})"

@@ -20,6 +20,7 @@ METADATA: dict[str, dict[str, str | None]] = {
 }
 SUFFIXES = tuple(METADATA)
 DOTS = 200  # per inch of a PNG
+QUALITY = 80  # of a WebP file
 THEME = {
     INK: "ink",
     MUTED: "muted",
@@ -45,6 +46,18 @@ def render_picture(law: QuaternionLaw, name: str, suffix: str) -> bytes:
         return content.getvalue()
     text = content.getvalue().decode()
     return describe_picture(text, f"view-{name}", picture.title, picture.describe(law)).encode()
+
+
+def render_small(law: QuaternionLaw, name: str, width: int) -> bytes:
+    """The picture of that name as a WebP file so many pixels wide."""
+    from PIL import Image
+
+    content = io.BytesIO()
+    with Image.open(io.BytesIO(render_picture(law, name, ".png"))) as picture:
+        height = round(picture.height * width / picture.width)
+        small = picture.convert("RGB").resize((width, height), Image.Resampling.LANCZOS)
+    small.save(content, format="WEBP", quality=QUALITY)
+    return content.getvalue()
 
 
 def draw_picture(law: QuaternionLaw, name: str) -> "Figure":
