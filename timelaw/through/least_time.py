@@ -45,8 +45,9 @@ class LeastTime:
         cost = np.zeros(columns.count)
         cost[columns.legs] = 1 / np.mean(curve.duration)
         soft = rows.power == 0
-        gap = CLOSE * len(curve.duration)
-        return Aim(cost, soft=soft, price=PRICE, gap=gap) if np.any(soft) else Aim(cost, gap=gap)
+        if np.any(soft):  # at its price a small breach is worth more than time is solved to
+            return Aim(cost, soft=soft, price=PRICE)
+        return Aim(cost, gap=CLOSE * len(curve.duration))
 
     def predict(self, curve: Curve, tried: Curve, step: Step, columns: Columns) -> float:  # noqa: ARG002
         """The time."""

@@ -118,7 +118,7 @@ def improve(
             best = plan.keep(best, curve, look)
             radius = _resize(radius, fall / max(hoped, TINY))
             calm = calm + 1 if fall < FALLEN and hoped < PREDICTED else 0
-            idle += 1
+            idle += best is not None  # else what is asked for is still not held
             if look.merit < least * (1 - WORTH):
                 least, idle = look.merit, 0
             if calm == CALM or idle == PATIENCE:
