@@ -85,6 +85,15 @@ def test_stops_and_dwells_cut_the_way():
     assert {segment.kind for segment in law.segments} == {"arc", "dwell"}
 
 
+@pytest.mark.campaign
+@pytest.mark.parametrize(("degrees", "time"), [(10, 24.4), (5, 25.1), (2, 26.0), (1, 26.5)])
+def test_a_tour_near_its_arcs_passes_them_all(degrees, time):
+    """By the whole ladder, proved, and no law that stops instead."""
+    route = "orientations: {lattice: 24-cell}, tour: paper"
+    design = design_text(route=route, motion=f"{{kind: through, deviation: {degrees} deg}}")
+    assert check(design).duration <= time
+
+
 @pytest.mark.parametrize("degrees", [20, 3])
 def test_deviation_is_proved(degrees):
     design = design_text(motion=f"{{kind: through, pieces: 1, deviation: {degrees} deg}}")
