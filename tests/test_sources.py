@@ -28,6 +28,7 @@ from timelaw.problem import load_problem
 from timelaw.report.figures.box import draw_box, trace_corners
 from timelaw.report.figures.sphere import AXES, draw_traces
 from timelaw.report.figures.style import WIDE
+from timelaw.report.pictures.render import draw_picture
 
 H = 0.5
 TWELVE = [
@@ -135,7 +136,7 @@ def test_mmb2017_7_rotation_matrix_and_direction_cosines():
         )
 
 
-def test_mmb2017_8_traces_of_the_body_axes_and_an_animation(layout):
+def test_mmb2017_8_traces_of_the_body_axes_the_body_at_the_nodes_and_an_animation(layout):
     picture = draw_traces("paper", layout.route)
     red, blue, green = (colour for _, colour in AXES)  # as the printed version has them
     assert picture.count("body axis") == 3
@@ -143,6 +144,13 @@ def test_mmb2017_8_traces_of_the_body_axes_and_an_animation(layout):
         parts = [int(colour[i : i + 2], 16) for i in (1, 3, 5)]
         assert all(parts[high] > parts[other] for other in others)
         assert colour in picture
+    law = law_of("paper")
+    (panel,) = draw_picture(law, "frames").axes
+    told = [text.get_text() for text in panel.texts]
+    assert [word for word in told if word in law.labels] == list(
+        law.labels
+    )  # figure 1: each node in its turn
+    assert [word for word in told if word.endswith(" s")] == [f"{time:.4g} s" for time in law.times]
     moving = EXPORTERS["gltf"].write(law_of("paper"), Options(30.0))[".glb"]
     length = struct.unpack("<I", moving[12:16])[0]
     document = json.loads(moving[20 : 20 + length])
