@@ -111,7 +111,7 @@ def _refine(run: Run, choice: Choice) -> Run:
 def find_stretch(run: Run, choice: Choice) -> float:
     """The factor of time at which the first limit is reached at a point of the run."""
     if any(np.any(leg.total) for leg in run.legs):
-        return _bisect(run, choice) * (1 + INSIDE)
+        return _find_root(run, choice) * (1 + INSIDE)
     largest = 0.0
     for k, leg in enumerate(run.legs):
         powers = np.array([split.limit.power for split in leg.limits])
@@ -119,28 +119,32 @@ def find_stretch(run: Run, choice: Choice) -> float:
     return largest * (1 + INSIDE)
 
 
-def _bisect(run: Run, choice: Choice) -> float:
+def _find_root(run: Run, choice: Choice) -> float:
     """The same where the momentum of wheels is part of what is limited, which time does not divide."""
 
-    def breaks(factor: float) -> bool:
+    def excess(factor: float) -> float:
+        """What is used of the limits beyond all of them."""
         slow = choice.stretched(factor)
-        return any(bool(np.max(slow.used(run, k)) > 1) for k in range(len(run.legs)))
+        return max(float(np.max(slow.used(run, k))) for k in range(len(run.legs))) - 1
 
     low = high = 1.0
     for _ in range(HALVINGS):
-        if not breaks(high):
+        if excess(high) <= 0:
             break
         high *= 2
     else:
         return float("inf")
     for _ in range(HALVINGS):
-        if breaks(low):
+        if excess(low) > 0:
             break
         low /= 2
-    for _ in range(HALVINGS):
-        middle = (low + high) / 2
-        low, high = (middle, high) if breaks(middle) else (low, middle)
-    return high
+    else:
+        return low
+    if low == high:
+        return high
+    from scipy.optimize import brentq
+
+    return float(brentq(excess, low, high, xtol=low * INSIDE / 4, rtol=INSIDE / 4))
 
 
 def settle(run: Run, choice: Choice, where: str) -> Choice:
