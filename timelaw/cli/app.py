@@ -6,7 +6,7 @@ from timelaw import __version__
 from timelaw.cli.console import describe_error, set_speech
 from timelaw.cli.formats import ListingCommand
 from timelaw.cli.last_word import print_object, wants_json
-from timelaw.cli.options import refuse_nan, speaking
+from timelaw.cli.options import speaking, take_number
 from timelaw.errors import EXIT_BAD_INPUT, EXIT_DEFECT, EXIT_DONE, Fault, TimelawError
 from timelaw.interrupts import Interrupted, check_interrupted, find_interrupt, say_last_words
 from timelaw.time_limit import limit_time
@@ -30,11 +30,8 @@ def timelaw() -> None:
 @timelaw.command()
 @click.argument("problem", type=click.Path())
 @click.option("-o", "--output", type=click.Path(), help="Folder for the results  [default: results/<name>]")
-@click.option(
-    "--time-limit",
-    type=click.FloatRange(SHORTEST, LONGEST),
-    callback=refuse_nan,
-    help="Seconds of wall time, after which the best law so far is taken.",
+@take_number(
+    "--time-limit", SHORTEST, LONGEST, help="Seconds of wall time, after which the best law so far is taken."
 )
 @speaking
 def design(problem: str, output: str | None, time_limit: float | None, as_json: bool) -> int:
@@ -114,22 +111,8 @@ def plot(law: str, what: str, output: str, *, as_json: bool) -> int:
 @timelaw.command()
 @click.argument("law", type=click.Path())
 @click.option("-o", "--output", required=True, type=click.Path(), help="The film: .gif, .webp or .mp4.")
-@click.option(
-    "--rate",
-    type=click.FloatRange(1, 50),
-    callback=refuse_nan,
-    default=25,
-    show_default=True,
-    help="Frames per second.",
-)
-@click.option(
-    "--speed",
-    type=click.FloatRange(1e-3, 1e6),
-    callback=refuse_nan,
-    default=1,
-    show_default=True,
-    help="Times as fast as it is.",
-)
+@take_number("--rate", 1, 50, default=25, show_default=True, help="Frames per second.")
+@take_number("--speed", 1e-3, 1e6, default=1, show_default=True, help="Times as fast as it is.")
 @click.option(
     "--size", type=click.IntRange(64, 2000), default=480, show_default=True, help="Pixels each way."
 )

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from math import isnan
+from typing import Any
 
 import click
 
@@ -13,6 +14,11 @@ def refuse_nan(_context: click.Context, parameter: click.Parameter, value: float
     if value is not None and isnan(value):
         raise click.BadParameter("nan is not a number", param=parameter)
     return value
+
+
+def take_number(name: str, least: float, most: float, **settings: Any) -> Callable[..., Any]:
+    """An option that is a number within bounds."""
+    return click.option(name, type=click.FloatRange(least, most), callback=refuse_nan, **settings)
 
 
 def speaking(command: Callable[..., int]) -> Callable[..., int]:
