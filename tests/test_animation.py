@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from tests.pages import PAGES, list_lines
 from timelaw.cli.animate import MOST_FRAMES
 from timelaw.cli.app import run_command
 from timelaw.law_file import read_law
@@ -170,12 +171,10 @@ def test_the_command_writes_the_film_and_says_so(capsys, tmp_path):
     assert set(FORMATS) == {".gif", ".webp", ".mp4"}
 
 
-def test_the_readmes_film_is_small_and_made_by_the_readmes_command():
-    readme = (ROOT / "README.md").read_text()
+def test_the_readmes_film_is_small_and_made_by_the_command_that_is_shown():
+    readme = PAGES["README"]
     first = readme[readme.index("![") :].split("(")[1].split(")")[0]
-    command = (
-        next(line for line in readme.splitlines() if line.startswith("timelaw animate")).split("#")[0].split()
-    )
+    command = next(line for line in list_lines() if line.startswith("timelaw animate")).split()
     given = {name: float(value) for name, value in pairwise(command) if name.startswith("--")}
     made = Film(read_law(LAW)[0], given["--rate"], given["--speed"], int(given["--size"]))
     assert (ROOT / first).stat().st_size < 400_000

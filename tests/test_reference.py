@@ -9,6 +9,7 @@ from scipy.spatial.transform import Rotation
 
 from tests.cases import PROBLEMS, reference
 from tests.oracles import QUINTIC_PEAKS, LinearProgram, smoothstep_duration
+from tests.pages import PAGES
 from timelaw import design
 from timelaw.certificate import certify
 from timelaw.certificate.record import compare_with_record
@@ -18,7 +19,7 @@ from timelaw.law_file import read_law
 from timelaw.least_time.double_s import double_s_time
 from timelaw.orientations.lattices import make_lattice
 from timelaw.report import list_law_rows
-from timelaw.reproduce.readme_tables import (
+from timelaw.reproduce.reference_tables import (
     TOUR_MARK,
     design_tours,
     list_tours,
@@ -122,31 +123,31 @@ def test_committed_laws_verify(path):
     assert compare_with_record(certificate, document) == []
 
 
-README = (Path(__file__).parent.parent / "README.md").read_text(encoding="utf-8")
+TABLES = PAGES["reproducing"]
 
 
 @pytest.mark.campaign
-def test_the_readmes_table_is_what_the_command_prints():
+def test_the_pages_table_is_what_the_command_prints():
     tours = list_tours(sorted(PROBLEMS.glob("*.yaml")))
     designs = [reference(path.stem) for path in tours]
-    assert replace_table(README, table_references(designs)) == README
+    assert replace_table(TABLES, table_references(designs)) == TABLES
 
 
 @pytest.mark.parametrize("name", ["paper-24-cell", "spacecraft-24-cell"])
-def test_a_row_of_the_readmes_table_is_what_the_command_prints(name):
-    assert table_references([reference(name)]).splitlines()[-1] in README
+def test_a_row_of_the_pages_table_is_what_the_command_prints(name):
+    assert table_references([reference(name)]).splitlines()[-1] in TABLES
 
 
 def test_ci_runs_the_readmes_test_command():
     command = "python3 -m venv .venv && .venv/bin/pip install -q -e '.[test]' && .venv/bin/pytest\n"
-    assert command in README
+    assert command in PAGES["README"]
     assert (Path(__file__).parent.parent / ".ci" / "run").read_text().endswith(command)
 
 
-def test_the_readmes_table_of_tours():
+def test_the_pages_table_of_tours():
     """What the command prints; its times by closed forms over runs that SciPy's rotations find."""
     rows = design_tours()
-    assert replace_table(README, table_tours(rows), TOUR_MARK) == README
+    assert replace_table(TABLES, table_tours(rows), TOUR_MARK) == TABLES
     limits = (60 * DEG, 120 * DEG, 600 * DEG)
     over_runs = {
         ("24-cell", "paper"): 27.60,
@@ -180,10 +181,10 @@ def straight_runs(order, q):
     return np.diff([0, *corners, len(turns)])
 
 
-def test_the_readmes_problem_file_is_designed_as_it_stands(tmp_path):
-    block = README.split("```yaml\n")[1].split("```")[0]
-    (tmp_path / "readme.yaml").write_text(block)
-    designed = design(tmp_path / "readme.yaml")
+def test_the_pages_problem_file_is_designed_as_it_stands(tmp_path):
+    block = PAGES["problem-file"].split("```yaml\n")[1].split("```")[0]
+    (tmp_path / "page.yaml").write_text(block)
+    designed = design(tmp_path / "page.yaml")
     assert designed.optimised.certificate.findings() == []
 
 

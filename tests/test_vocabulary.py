@@ -34,7 +34,7 @@ from timelaw.problem.problem import Baseline, EasingModel
 from timelaw.problem.route import SEARCHED, LatticeName, TourName
 from timelaw.report.sections import SECTIONS
 from timelaw.report.tour_text import ANGLES, WORDS
-from timelaw.reproduce.readme_tables import TOURS as TABLED
+from timelaw.reproduce.reference_tables import TOURS as TABLED
 from timelaw.study.study import StudyModel
 from timelaw.time_law import BASELINES
 from timelaw.tours.fastest import TIME

@@ -16,7 +16,7 @@ from timelaw.report.curves.outcome import list_curve_tiles
 from timelaw.report.headline import Tile, list_tiles
 from timelaw.report.pictures.render import render_small
 from timelaw.reproduce.command import run_main
-from timelaw.reproduce.readme_tables import format_markdown, replace_table
+from timelaw.reproduce.reference_tables import format_markdown, replace_table
 
 MARK = "gallery"
 HEADINGS = ("motion", "problem file", "what came of it")

@@ -22,7 +22,7 @@ from timelaw.problem.load import check_problem
 from timelaw.problem.source import read
 from timelaw.reproduce.command import run_main
 from timelaw.reproduce.random_sets import KINDS, draw_large, draw_problem
-from timelaw.reproduce.readme_tables import format_markdown, replace_table
+from timelaw.reproduce.reference_tables import format_markdown, replace_table
 from timelaw.time_law.baselines import time_double_s
 
 LIMITS = {

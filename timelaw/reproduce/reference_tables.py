@@ -1,4 +1,4 @@
-"""The README's tables of results: `python -m timelaw.reproduce.readme_tables README.md PROBLEM.yaml …`.
+"""The tables of results: `python -m timelaw.reproduce.reference_tables PAGE PROBLEM.yaml …`.
 
 Every number comes from designing anew: the problem files for the reference results, and every lattice
 and tour under one set of limits, all legs by polynomials of degree 9, for what tours are worth.
@@ -141,11 +141,11 @@ def _tour_cells(design: Design) -> list[str]:
 
 def main(arguments: Sequence[str]) -> None:
     """Design everything and rewrite both tables."""
-    readme, *problems = map(Path, arguments)
+    page, *problems = map(Path, arguments)
     text = replace_table(
-        readme.read_text(encoding="utf-8"), table_references([design(path) for path in list_tours(problems)])
+        page.read_text(encoding="utf-8"), table_references([design(path) for path in list_tours(problems)])
     )
-    readme.write_text(replace_table(text, table_tours(design_tours()), TOUR_MARK), encoding="utf-8")
+    page.write_text(replace_table(text, table_tours(design_tours()), TOUR_MARK), encoding="utf-8")
 
 
 if __name__ == "__main__":
