@@ -175,6 +175,15 @@ def schema(kind: str, output: str | None) -> int:
     return run(kind, output)
 
 
+@timelaw.command()
+@click.argument("topic", required=False)
+def docs(topic: str | None) -> int:
+    """Show the page of the documentation on a TOPIC, or list what there is."""
+    from timelaw.cli.docs import run
+
+    return run(topic)
+
+
 def run_command(arguments: list[str]) -> int:
     """Run the command line; returns the exit code of every end but a defect of ours, which is raised.
 
