@@ -23,7 +23,7 @@ from tests.campaign.refusal import CONFIRMED, UNCONFIRMED, judge_refusal
 from tests.campaign.spec import read_spec
 from tests.oracles import LinearProgram
 
-SEED, COUNT = 1, 50
+SEED, COUNT = 1, 40
 FOLDER = Path(__file__).parent / "regressions"
 REGRESSIONS = sorted(FOLDER.glob("*.yaml"))
 LONG_REGRESSIONS = sorted((FOLDER / "long").glob("*.yaml"))

@@ -66,7 +66,15 @@ def laid_out(folder, route, more, limits, tour):
     return layout, find_route_limit(layout.route, layout.requirements)
 
 
-LONGER = {"row, closed", "dwells", "half-turns, closed", "half-turns from and to", "ring", "ring of five"}
+LONGER = {
+    "half-turns by a stop",
+    "row, closed",
+    "dwells",
+    "half-turns, closed",
+    "half-turns from and to",
+    "ring",
+    "ring of five",
+}
 
 
 @pytest.mark.parametrize(

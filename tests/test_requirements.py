@@ -78,6 +78,7 @@ def test_limits_at_a_node_hold_on_the_legs_that_meet_there(tmp_path):
     assert limits == pytest.approx({"3–8": 20, "8–10": 10})
 
 
+@pytest.mark.campaign
 def test_splines_of_every_degree_and_continuity(tmp_path):
     for degree, continuity in ((3, 2), (6, 4), (7, 4), (7, 2)):
         easing = f"{{basis: spline, degree: {degree}, intervals: 40}}"

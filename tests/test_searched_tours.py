@@ -87,7 +87,7 @@ BEST_KNOWN = json.loads((Path(__file__).parent / "data" / "best_known_tours.json
     ("count", "closed"),
     [
         *((100, closed) for closed in (False, True)),
-        (300, False),
+        pytest.param(300, False, marks=pytest.mark.campaign),
         pytest.param(300, True, marks=pytest.mark.campaign),
         *(pytest.param(1000, closed, marks=pytest.mark.campaign) for closed in (False, True)),
     ],
