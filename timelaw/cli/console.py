@@ -76,7 +76,8 @@ def show_progress() -> Iterator[Progress | None]:
         task = bar.add_task("reading", total=None)
 
         def report(stage: str, done: int, of: int) -> None:
-            bar.update(task, description=stage, completed=done, total=of)
+            new = bar.tasks[0].description != stage  # is shown at once, however short it is
+            bar.update(task, description=stage, completed=done, total=of, refresh=new)
 
         yield report
 
