@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from timelaw.numerics.array import Array
-from timelaw.numerics.quaternion import conjugate, multiply, normalise
+from timelaw.numerics.quaternion import conjugate, multiply, normalise, rotation_matrix
 from timelaw.numerics.turn import HALF_TURN
 
 __all__ = [
@@ -72,7 +72,7 @@ def to_complex_pair(q: ArrayLike) -> tuple[Complex, Complex]:
 
 
 def from_complex_pair(a: ArrayLike, b: ArrayLike) -> Array:
-    """A + b j (..., 4)."""
+    """The quaternion a + b j (..., 4) of complex numbers a, b (...)."""
     a, b = np.broadcast_arrays(np.asarray(a, dtype=complex), np.asarray(b, dtype=complex))
     return np.stack([a.real, a.imag, b.real, b.imag], axis=-1)
 
@@ -124,7 +124,7 @@ def power(q: ArrayLike, exponent: ArrayLike) -> Array:
 
 
 def slerp(p: ArrayLike, q: ArrayLike, u: ArrayLike) -> Array:
-    """P (p⁻¹ q)^u (..., 4), the shorter way round: unit quaternions at u (...) from p (0) to ±q (1).
+    """The shorter way round, p (p⁻¹ q)^u (..., 4): unit quaternions at u (...) from p (0) to ±q (1).
 
     For a half-turn both ways are as short; that about the axis of p⁻¹ q as it stands is taken.
 
@@ -138,7 +138,7 @@ def slerp(p: ArrayLike, q: ArrayLike, u: ArrayLike) -> Array:
 
 
 def rotate(q: ArrayLike, v: ArrayLike) -> Array:
-    """Q v q⁻¹ (..., 3): the vector v (..., 3) turned by q, of any length but zero.
+    """The product q v q⁻¹ (..., 3): the vector v (..., 3) turned by q, of any length but zero.
 
     Raises:
         ValueError: q is zero, or v has not three components.
@@ -157,13 +157,7 @@ def to_matrix(q: ArrayLike) -> Array:
     Raises:
         ValueError: q is zero.
     """
-    w, x, y, z = np.moveaxis(normalise(_read_nonzero(q)), -1, 0)
-    rows = [
-        [w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)],
-        [2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)],
-        [2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z],
-    ]
-    return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
+    return rotation_matrix(normalise(_read_nonzero(q)))
 
 
 def from_matrix(matrix: ArrayLike) -> Array:
