@@ -23,8 +23,6 @@ from timelaw.numerics.bernstein import elevate
 from timelaw.numerics.quaternion import conjugate, multiply, normalise
 from timelaw.through.dual import seed, stack, stack_slopes
 
-SMOOTH = (2, 3)  # classes C^r: knots have r rates
-
 
 @dataclass(frozen=True)
 class Curve:

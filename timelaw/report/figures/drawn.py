@@ -1,7 +1,7 @@
 """What pictures ask of a design, whatever its route: its law, and those beside it."""
 
 from functools import cached_property
-from typing import Any, Protocol
+from typing import Any
 
 from timelaw.motion import QuaternionLaw, Segment
 from timelaw.numerics.function import enclose_peaks
@@ -21,20 +21,6 @@ COLOURS = {
 }
 
 OTHERS = (DOUBLE_S, STOPPING, AXIS_COLOURS[2], AXIS_COLOURS[0], QUINTIC, EVERY_STOP)
-
-
-class Drawn(Protocol):
-    """A law with its certificate, and baselines."""
-
-    @property
-    def optimised(self) -> Certified:
-        """The law that was designed."""
-        ...
-
-    @property
-    def baselines(self) -> tuple[Certified, ...]:
-        """Laws beside it."""
-        ...
 
 
 class Scene:
