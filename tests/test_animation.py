@@ -18,7 +18,8 @@ from timelaw.law_file import read_law
 from timelaw.report.animation.film import Film
 from timelaw.report.animation.formats import FORMATS, write_gif, write_mp4, write_webp
 from timelaw.report.animation.pen import Pen, mix
-from timelaw.report.pictures.view import AXIS_COLOURS, View
+from timelaw.report.figures.style import AXIS_COLOURS
+from timelaw.report.pictures.view import View
 
 ROOT = Path(__file__).parent.parent
 LAW = ROOT / "results/paper-24-cell-through/law.json"

@@ -13,14 +13,15 @@ from scipy.spatial.transform import Rotation
 from tests.browser.pages import make_law
 from timelaw.cli.app import run_command, timelaw
 from timelaw.law_file import read_law
+from timelaw.report.figures.samples import sample_motion
+from timelaw.report.figures.style import AXIS_COLOURS, THEME
 from timelaw.report.pictures.frames import list_visits
-from timelaw.report.pictures.rates import trace_vector
 from timelaw.report.pictures.registry import PICTURES
-from timelaw.report.pictures.render import SUFFIXES, THEME, embed_picture, render_picture
+from timelaw.report.pictures.render import SUFFIXES, embed_picture, render_picture
 from timelaw.report.pictures.sampling import choose_step, list_marks, sample_times
 from timelaw.report.pictures.stereographic import refine
 from timelaw.report.pictures.three_sphere import WHOLE, choose_projection, lift, list_edges, list_vertices
-from timelaw.report.pictures.view import AXIS_COLOURS, View, list_faces, size_box, split_sides
+from timelaw.report.pictures.view import View, list_faces, size_box, split_sides
 
 ROOT = Path(__file__).parent.parent
 LAW = ROOT / "results/paper-24-cell/law.json"
@@ -167,7 +168,8 @@ def test_more_points_are_put_where_the_route_runs_far_out(law):
 
 
 def test_rates_keep_both_sides_of_a_jump(law):
-    times, values = trace_vector(law, 3)
+    samples = sample_motion(law, law.segments)
+    times, values = samples.times, np.stack(samples.rates[3], axis=-1)
     node = law.times[1]
     at = np.flatnonzero(np.isclose(times, node, rtol=0, atol=1e-12))
     np.testing.assert_allclose(values[at[0]], law(node, 3, side="left"), rtol=1e-9)

@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 
 from timelaw.numerics.array import Array
-from timelaw.report.pictures.view import AXIS_COLOURS, INK, PAPER, View, list_faces
+from timelaw.report.figures.style import AXIS_COLOURS, INK, PAPER
+from timelaw.report.pictures.view import View, list_faces
 
 LARGER = 3  # times, in each direction
 THIN = 0.0028  # of the picture's width, a line of width one

@@ -7,17 +7,9 @@ import numpy as np
 from timelaw.motion import QuaternionLaw
 from timelaw.numerics.array import Array
 from timelaw.report.animation.pen import Pen, mix
+from timelaw.report.figures.style import AXIS_COLOURS, GRID_LINE, INK, OMEGA
 from timelaw.report.pictures.sampling import sample_times
-from timelaw.report.pictures.view import (
-    AXIS_COLOURS,
-    GRID,
-    INK,
-    OMEGA,
-    View,
-    list_circles,
-    size_box,
-    split_sides,
-)
+from timelaw.report.pictures.view import View, list_circles, size_box, split_sides
 
 MANY = 60  # legs; of more the whole traces are faint
 TRAIL = 2.0  # legs of mean duration that the strong part of a trace is long
@@ -43,10 +35,10 @@ class SphereStage:
         many = len(self.law.legs) > MANY
         for circle in list_circles():
             near, far = split_sides(self.view.project(circle))
-            self.far.line(far, mix(GRID, 0.5), 0.5)
-            self.near.line(near, GRID, 0.5)
+            self.far.line(far, mix(GRID_LINE, 0.5), 0.5)
+            self.near.line(near, GRID_LINE, 0.5)
         ring = np.linspace(0.0, 2 * np.pi, 181)
-        self.near.line(np.column_stack([np.cos(ring), np.sin(ring)]), GRID, 1.0)
+        self.near.line(np.column_stack([np.cos(ring), np.sin(ring)]), GRID_LINE, 1.0)
         nodes = self.view.project(np.moveaxis(self.law.rotation(self.law.times), 2, 1))
         for axis, (colour, (near, far)) in enumerate(zip(AXIS_COLOURS, self.paths, strict=True)):
             self.far.line(far, mix(colour, 0.12 if many else 0.3), 1.0)
@@ -95,7 +87,7 @@ class SpaceStage:
         self.way = self._place(way)
         self.ground = Pen(size, self.view)
         for axis in np.eye(3) * 0.95:
-            self.ground.line(self.view.project(np.stack([-axis, axis]))[:, :2], GRID, 0.8)
+            self.ground.line(self.view.project(np.stack([-axis, axis]))[:, :2], GRID_LINE, 0.8)
         self.ground.line(self.way, mix(INK, 0.4), 1.0)
         for node in self._place(law.place(law.times)):
             self.ground.dot(node, INK, 2.2)

@@ -13,6 +13,7 @@ OPTIMISED, QUINTIC, DOUBLE_S, EVERY_STOP, STOPPING = "#0b5fa5", "#8c8c91", "#8a5
 LIMIT, NODE, DWELL = "#3a3a3e", "#c9c9ce", "#eef0f2"
 AXIS_COLOURS = ("#b3261e", "#1660b0", "#1b6e3c")  # body axes x, y, z as the printed paper has them
 GRID_LINE, HERE = "#d5d5d8", "#f3e6c4"  # of globes; behind the part that is drawn in full
+OMEGA = "#8a5200"  # the angular velocity as an arrow, and a route on S³
 STYLE: dict[Any, Any] = {
     "font.family": "DejaVu Sans",
     "font.size": 8.5,
@@ -61,6 +62,7 @@ THEME = {  # the names that colours have in a page, which has others in the dark
     GRID_LINE: "grid",
     HERE: "here",
     OTHER: "other",
+    OMEGA: "axis-omega",
     **dict(zip(AXIS_COLOURS, ("axis-x", "axis-y", "axis-z"), strict=True)),
     **{colour: f"limit-{name.replace('_', '-')}" for name, colour in BINDING.items()},
 }

@@ -6,8 +6,9 @@ from typing import Any
 import numpy as np
 
 from timelaw.motion import QuaternionLaw
+from timelaw.report.figures.style import INK, MUTED
 from timelaw.report.pictures.sketch import SIZE, WIDTH, draw_box, make_panel
-from timelaw.report.pictures.view import INK, MUTED, View, size_box
+from timelaw.report.pictures.view import View, size_box
 
 COLUMNS = 4
 MOST = 24  # bodies; the first of more are shown

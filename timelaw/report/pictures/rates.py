@@ -7,10 +7,9 @@ import numpy as np
 from timelaw.limits.row import ORDERS
 from timelaw.motion import QuaternionLaw
 from timelaw.motion.segment import RATES
-from timelaw.numerics.array import Array
-from timelaw.report.pictures.sampling import COARSE, FINE, MOST_POINTS
+from timelaw.report.figures.samples import sample_motion
+from timelaw.report.figures.style import AXIS_COLOURS, GRID_LINE, INK, MUTED
 from timelaw.report.pictures.sketch import SIZE
-from timelaw.report.pictures.view import AXIS_COLOURS, GRID, INK, MUTED
 
 SYMBOLS = {1: "ω  [deg/s]", 2: "α  [deg/s²]", 3: "jerk  [deg/s³]"}
 WIDE, PANEL = 7.2, 1.75  # inch
@@ -23,17 +22,18 @@ def draw_rates(law: QuaternionLaw) -> Any:
 
     figure = Figure(figsize=(WIDE, 0.7 + PANEL * len(SYMBOLS)), layout="constrained")
     axes: Any = figure.subplots(len(SYMBOLS), 1, sharex=True)
+    samples = sample_motion(law, law.segments)
     for ax, (order, symbol) in zip(axes, SYMBOLS.items(), strict=True):
-        times, values = trace_vector(law, order)
-        degrees = np.degrees(values)
+        degrees = np.degrees(samples.rates[order])
         for axis, colour in enumerate(AXIS_COLOURS):
-            ax.plot(times, degrees[:, axis], color=colour, linewidth=0.9, label=f"body axis {'xyz'[axis]}")
-        ax.plot(times, np.linalg.norm(degrees, axis=1), color=INK, linewidth=1.2, label="size")
+            label = f"body axis {'xyz'[axis]}"
+            ax.plot(samples.times, degrees[axis], color=colour, linewidth=0.9, label=label)
+        ax.plot(samples.times, np.linalg.norm(degrees, axis=0), color=INK, linewidth=1.2, label="size")
         _draw_limit(ax, law, order)
         if len(law.segments) <= MANY:
             for time in law.times:
-                ax.axvline(time, color=GRID, linewidth=0.6, zorder=0)
-        ax.axhline(0.0, color=GRID, linewidth=0.6, zorder=0)
+                ax.axvline(time, color=GRID_LINE, linewidth=0.6, zorder=0)
+        ax.axhline(0.0, color=GRID_LINE, linewidth=0.6, zorder=0)
         ax.set_ylabel(symbol, fontsize=SIZE)
         ax.tick_params(labelsize=SIZE, width=0.6, length=2.5)
         ax.margins(x=0.005)
@@ -56,22 +56,6 @@ def _draw_limit(ax: Any, law: QuaternionLaw, order: int) -> None:
                 sense * np.degrees(bound), color=colour, linewidth=0.9, linestyle=(0, (5, 3)), label=label
             )
             label = "_"
-
-
-def trace_vector(law: QuaternionLaw, order: int) -> tuple[Array, Array]:
-    """Times (m,) [s] and the k-th rate (m, 3), each piece of a segment from its first instant to its last."""
-    pieces = sum(len(segment.breaks) - 1 for segment in law.segments)
-    inner = np.linspace(0.0, 1.0, int(np.clip(MOST_POINTS // pieces, COARSE, FINE)))
-    times: list[Array] = []
-    values: list[Array] = []
-    for segment in law.segments:
-        for first, last in zip(segment.breaks[:-1], segment.breaks[1:], strict=True):
-            tau = first + (last - first) * inner
-            times.append(segment.start_time + segment.duration * tau)
-            found = segment(tau, order, "right")
-            found[-1:] = segment(tau[-1:], order, "left")
-            values.append(found)
-    return np.concatenate(times), np.concatenate(values)
 
 
 def describe_rates(law: QuaternionLaw) -> str:

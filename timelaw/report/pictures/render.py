@@ -8,7 +8,6 @@ from timelaw.motion import QuaternionLaw
 from timelaw.report.figures.embed import describe_picture, inline_picture
 from timelaw.report.pictures.registry import PICTURES
 from timelaw.report.pictures.sketch import STYLE
-from timelaw.report.pictures.view import AXIS_COLOURS, GRID, INK, MUTED, OMEGA, PAPER
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as Figure
@@ -21,14 +20,6 @@ METADATA: dict[str, dict[str, str | None]] = {
 SUFFIXES = tuple(METADATA)
 DOTS = 200  # per inch of a PNG
 QUALITY = 80  # of a WebP file
-THEME = {
-    INK: "ink",
-    MUTED: "muted",
-    PAPER: "paper",
-    GRID: "grid",
-    OMEGA: "axis-omega",
-    **dict(zip(AXIS_COLOURS, ("axis-x", "axis-y", "axis-z"), strict=True)),
-}
 
 
 def render_picture(law: QuaternionLaw, name: str, suffix: str) -> bytes:
@@ -71,4 +62,4 @@ def draw_picture(law: QuaternionLaw, name: str) -> "Figure":
 
 def embed_picture(law: QuaternionLaw, name: str) -> str:
     """The SVG as a part of a page."""
-    return inline_picture(render_picture(law, name, ".svg").decode(), f"view-{name}", THEME)
+    return inline_picture(render_picture(law, name, ".svg").decode(), f"view-{name}")

@@ -5,16 +5,8 @@ from typing import Any
 import numpy as np
 
 from timelaw.numerics.array import Array
-from timelaw.report.pictures.view import (
-    AXIS_COLOURS,
-    GRID,
-    INK,
-    PAPER,
-    View,
-    list_circles,
-    list_faces,
-    split_sides,
-)
+from timelaw.report.figures.style import AXIS_COLOURS, GRID_LINE, INK, PAPER
+from timelaw.report.pictures.view import View, list_circles, list_faces, split_sides
 
 WIDTH = 3.95  # inch; on a phone as wide as the page, its labels not smaller than they are made
 SIZE = 8.5  # of labels, in points
@@ -47,10 +39,10 @@ def draw_globe(ax: Any, view: View) -> None:
     """Meridians and parallels of the unit sphere, the far half fainter, and its outline."""
     for circle in list_circles():
         near, far = split_sides(view.project(circle))
-        ax.plot(*far.T, color=GRID, alpha=0.5, linewidth=0.4, zorder=0)
-        ax.plot(*near.T, color=GRID, linewidth=0.5, zorder=1)
+        ax.plot(*far.T, color=GRID_LINE, alpha=0.5, linewidth=0.4, zorder=0)
+        ax.plot(*near.T, color=GRID_LINE, linewidth=0.5, zorder=1)
     ring = np.linspace(0.0, 2 * np.pi, 121)
-    ax.plot(np.cos(ring), np.sin(ring), color=GRID, linewidth=0.8, zorder=1)
+    ax.plot(np.cos(ring), np.sin(ring), color=GRID_LINE, linewidth=0.8, zorder=1)
 
 
 def draw_path(

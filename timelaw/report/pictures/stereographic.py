@@ -6,6 +6,7 @@ import numpy as np
 
 from timelaw.motion import QuaternionLaw
 from timelaw.numerics.array import Array
+from timelaw.report.figures.style import GRID_LINE, INK, MUTED, OMEGA
 from timelaw.report.pictures.sampling import list_marks, sample_times
 from timelaw.report.pictures.sketch import SIZE, WIDTH, make_panel
 from timelaw.report.pictures.three_sphere import (
@@ -16,7 +17,7 @@ from timelaw.report.pictures.three_sphere import (
     list_vertices,
     trace_edges,
 )
-from timelaw.report.pictures.view import GRID, INK, MUTED, OMEGA, View
+from timelaw.report.pictures.view import View
 
 FINEST = 0.02  # of the picture, between two points of the route
 MOST_BETWEEN = 24  # points that are put between two
@@ -46,7 +47,7 @@ def draw_stereographic(law: QuaternionLaw) -> Any:
     _draw_edges(ax, lattice)
     if projection.folded:
         ring = np.linspace(0.0, 2 * np.pi, 121)
-        ax.plot(np.cos(ring), np.sin(ring), color=GRID, linewidth=0.8, zorder=0)
+        ax.plot(np.cos(ring), np.sin(ring), color=GRID_LINE, linewidth=0.8, zorder=0)
     ax.plot(*route[:, :2].T, color=ROUTE, linewidth=0.5 if many else 1.5, zorder=4)
     nodes = places[np.searchsorted(times, law.times)]
     ax.scatter(*nodes[:, :2].T, s=5 if many else 24, color=ROUTE, linewidths=0, zorder=5)

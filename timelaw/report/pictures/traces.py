@@ -3,9 +3,10 @@
 from typing import Any
 
 from timelaw.motion import QuaternionLaw
+from timelaw.report.figures.style import AXIS_COLOURS, INK, MUTED
 from timelaw.report.pictures.sampling import list_marks, sample_times
 from timelaw.report.pictures.sketch import SIZE, WIDTH, draw_dots, draw_globe, draw_path, make_panel
-from timelaw.report.pictures.view import AXIS_COLOURS, INK, MUTED, View
+from timelaw.report.pictures.view import View
 
 MANY = 60  # legs; lines of more are thin, and not dashed on the far side
 WOOL = 120.0  # opaque lines that the thin ones amount to

@@ -7,8 +7,6 @@ import numpy as np
 
 from timelaw.numerics.array import Array
 
-AXIS_COLOURS = ("#b3261e", "#1660b0", "#1b6e3c")  # body axes x, y, z as in the printed paper [MMB2017]
-INK, MUTED, GRID, PAPER, OMEGA = "#1d1d1f", "#5c5c61", "#d5d5d8", "#ffffff", "#8a5200"
 DEFAULT_SHAPE = (1.0, 0.66, 0.4)  # edges of the box where the law has none: no two alike
 EXTENT = 0.56  # half the box's diagonal, of the sphere's radius
 RING = np.linspace(0.0, 2 * np.pi, 73)
