@@ -82,7 +82,7 @@ class Way:
 
     def _floor(self, order: int) -> arb:
         mean = self.motion.mean_time
-        return arb(SPACING) * self.farthest * arb(FINE / mean) ** order / arb(JUMP)
+        return 3 * arb(SPACING) * self.farthest * arb(FINE / mean) ** order / arb(JUMP)
 
     def _sum_means(self) -> dict[int, arb]:
         """The largest mean of each rate over a leg; a brief leg counts for as much as a thousandth of the mean."""

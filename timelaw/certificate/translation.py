@@ -11,6 +11,7 @@ from timelaw.certificate.jump_scale import BRIEF, JUMP_TOLERANCE, LOOSE, find_fl
 from timelaw.motion import QuaternionLaw, Segment
 from timelaw.numerics.array import Array
 
+COUNTED = 3  # times that rounding counts in P/|Q|²: once in P, twice in Q
 NAMES = {1: "velocity", 2: "acceleration", 3: "jerk", 4: "snap"}  # of the origin, in the world
 LIMITS = {1: "linear_velocity", 2: "linear_acceleration"}
 PLACE_TOLERANCE = 1e-9  # of the farthest place from the world's origin
@@ -69,7 +70,7 @@ def check_translation(law: QuaternionLaw) -> Translation | None:
 
     A jump counts if it is above 1e-9 of the limit on that rate, or where there is none, or one far above, of
     what the motion sustains: the largest mean over a leg; and above what places that are rounded at their
-    distance from the world's origin resolve, in differences over a 500th of a mean leg.
+    distance from the world's origin, and Q, resolve, in differences over a 500th of a mean leg.
     """
     if not law.travels:
         return None
@@ -105,7 +106,7 @@ def _scale(law: QuaternionLaw, order: int, size: float) -> float:
         weights = (np.diff(leg.even_breaks)[:, None] * WEIGHTS / 2).ravel()
         part = min(leg.duration / (BRIEF * leg_time), 1.0)  # a brief leg may be a spike
         means.append(part * float(weights @ np.linalg.norm(_places(leg, order), axis=1)))
-    floor = find_floor(law, order, size)
+    floor = find_floor(law, order, COUNTED * size)
     sustained = max(*means, floor)
     bounds = [np.min(s[LIMITS[order]]) for s in _all_limits(law) if LIMITS.get(order) in s]
     return max(float(min([LOOSE * sustained, *bounds])), floor) if bounds else sustained
