@@ -10,9 +10,10 @@ from timelaw.easing.profile import Piece, Profile
 from timelaw.easing.time_scaling import fit_to_limits
 from timelaw.easing.timing import Timing
 from timelaw.least_time.constant_bounds import choose_bounds
-from timelaw.least_time.double_s import Phase, list_phases, ramp_times
+from timelaw.least_time.double_s import Phase, double_s_time, list_phases, ramp_times
 from timelaw.limits import Demand
 
+POWERS = (0.999, 3.001)  # of a ratio of times, and some room for rounding
 BISECTIONS = 80  # a monotone cubic is solved to the last bit
 
 
@@ -20,6 +21,26 @@ def fit_double_s(demands: Sequence[Demand]) -> tuple[Timing, ...]:
     """The profile over a run, within its limits for certain, cut at the nodes: one timing per leg."""
     angles = [demand.angle for demand in demands]
     return fit_to_limits(demands, cut_double_s(angles, *choose_bounds(demands)))
+
+
+def spread_double_s(demand: Demand, duration: float) -> Timing:
+    """The profile over a leg in a given time that uses the least part p of the limits on its plain rates.
+
+    T(θ; p w, p a, p j) = duration: p = c^x, c the least time over the duration, x from 1 where the velocity
+    counts alone to 3 where the jerk does.
+    """
+    from scipy.optimize import brentq
+
+    w, a, j = choose_bounds((demand,))
+    ratio = double_s_time(demand.angle, w, a, j) / duration
+
+    def late(power: float) -> float:
+        p = ratio**power
+        return float(double_s_time(demand.angle, p * w, p * a, p * j) / duration - 1)
+
+    p = ratio ** brentq(late, *POWERS) if late(POWERS[0]) * late(POWERS[1]) < 0 else 1.0
+    (timing,) = cut_double_s((demand.angle,), p * w, p * a, p * j)
+    return timing.stretched(duration / timing.duration)
 
 
 def cut_double_s(

@@ -66,6 +66,10 @@ class Family(Protocol):
         """Whether every polynomial of that degree on a leg is one of its easings."""
         ...
 
+    def has_profile(self, demands: Sequence[Demand]) -> bool:
+        """Whether the double-S profile over a run counts as one of its laws."""
+        ...
+
 
 @dataclass(frozen=True)
 class PolynomialFamily:
@@ -100,6 +104,10 @@ class PolynomialFamily:
     def contains(self, degree: int) -> bool:
         """Up to its own."""
         return degree <= self.degree
+
+    def has_profile(self, demands: Sequence[Demand]) -> bool:  # noqa: ARG002
+        """Its laws have one piece a leg."""
+        return False
 
 
 @dataclass(frozen=True)
@@ -154,7 +162,7 @@ class SplineFamily:
     def closed_form(self, demands: Sequence[Demand]) -> tuple[Timing, ...]:
         """The double-S profile, a spline of degree 3; for smoother ones the smoothstep."""
         slow = smoothstep.time_run(demands, self.continuity)
-        if self.degree > PROFILE_DEGREE or classify_profile(demands) < self.continuity:
+        if not self.has_profile(demands):
             return slow
         return min(slow, self.start(demands), key=lambda timings: sum(t.duration for t in timings))
 
@@ -169,6 +177,10 @@ class SplineFamily:
     def contains(self, degree: int) -> bool:
         """Up to its own."""
         return degree <= self.degree
+
+    def has_profile(self, demands: Sequence[Demand]) -> bool:
+        """Of degree 3, where it is as smooth as they are."""
+        return self.degree <= PROFILE_DEGREE and classify_profile(demands) >= self.continuity
 
 
 def classify_profile(demands: Sequence[Demand]) -> int:
@@ -207,6 +219,10 @@ class DoubleSFamily:
     def contains(self, degree: int) -> bool:  # noqa: ARG002
         """It is none."""
         return False
+
+    def has_profile(self, demands: Sequence[Demand]) -> bool:  # noqa: ARG002
+        """Nothing else."""
+        return True
 
 
 def _peak(angles: Sequence[float], timings: Sequence[Timing], order: int) -> float:

@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from timelaw.easing import Profile, Timing
+from timelaw.easing.double_s_easing import spread_double_s
 from timelaw.easing.family import Family
 from timelaw.easing.time_scaling import used_fraction
 from timelaw.limits import Demand
@@ -43,11 +44,19 @@ def stop_at_nodes(demands: Sequence[Demand], families: Sequence[Family]) -> tupl
         if demand.key() not in known:
             leg = RunProblem((replace(demand, duration=None),), family)
             (timing,) = solve_elastic(leg).timings
-            if demand.duration is not None:
-                timing = timing.stretched(find_stretch(demand.duration, timing.duration))
-            known[demand.key()] = timing
+            known[demand.key()] = timing if demand.duration is None else _spread(demand, family, timing)
         timings.append(known[demand.key()])
     return tuple(timings)
+
+
+def _spread(demand: Demand, family: Family, least: Timing) -> Timing:
+    """A leg's law of least time in the duration that it has, or what uses less of its limits in that time."""
+    assert demand.duration is not None
+    stretched = least.stretched(find_stretch(demand.duration, least.duration))
+    if not family.has_profile((demand,)):
+        return stretched
+    profile = spread_double_s(demand, demand.duration)
+    return min(stretched, profile, key=lambda timing: used_fraction([demand], [timing]))
 
 
 def _turn_steadily(problem: RunProblem) -> tuple[Timing, ...]:
