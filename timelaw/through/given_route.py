@@ -31,7 +31,7 @@ from timelaw.through.passage import (
 )
 from timelaw.time_limit import is_late
 
-EASED = 1e-9  # of the rates at an end, by which a motion keeps from a limit that it starts at
+EASED = 2e-10  # of the rates at an end, by which a motion keeps from a limit that it starts at
 AT_LIMIT = 1e-6  # of a limit: what is typed as the limit itself may be rounded otherwise
 
 
@@ -147,12 +147,14 @@ def _find_rates(
     for k, rate in enumerate(given.rates(problem.nodes.continuity)[:smooth]):
         rates[k] = np.array(rate) if isinstance(rate, tuple) else rate * axis
     q = stretch.turn[0 if end == "start" else -1]
+    most = 0.0
     for measure in measures:
         used = measure.use_rates(q, rates, 0 if end == "start" else len(stretch.angles) - 1)
         if used > 1 + AT_LIMIT:
             message = f"{used:.6g} times as much as the limit on the {measure.limit.name} allows there"
             raise InputError(Fault(message, f"nodes.{end}"))
-    return rates / (1 + EASED) ** np.arange(1, smooth + 1)[:, None]
+        most = max(most, used)
+    return rates if most <= 1 - EASED else rates / (1 + EASED) ** np.arange(1, smooth + 1)[:, None]
 
 
 def spend_stopping(problem: Problem, requirements: Requirements, timings: Sequence[Timing]) -> float | None:
