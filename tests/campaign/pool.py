@@ -3,6 +3,7 @@
 import multiprocessing as mp
 import os
 import signal
+import threading
 import time
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
@@ -28,12 +29,19 @@ class Job:
 
 def work(job: Job, limit: float, pipe) -> None:
     """In the process: make the case, judge it, send both; SIGPROF ends it when its CPU time is used up."""
+    threading.Thread(target=_end_with_parent, daemon=True).start()
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.signal(signal.SIGPROF, signal.SIG_DFL)
     signal.setitimer(signal.ITIMER_PROF, limit)
     case = make_case(job.seed, job.number, small=job.small, kind=job.kind)
     pipe.send((case, judge(case.text, files=job.number % FILES_EVERY[job.small] == 0)))
     pipe.close()
+
+
+def _end_with_parent() -> None:
+    """However that ends: nobody waits for the result."""
+    mp.parent_process().join()
+    os._exit(1)
 
 
 @dataclass
