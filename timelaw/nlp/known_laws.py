@@ -2,12 +2,14 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from math import factorial
 
 import numpy as np
 
 from timelaw.easing import Profile, Timing
 from timelaw.easing.double_s_easing import spread_double_s
 from timelaw.easing.family import Family
+from timelaw.easing.profile import Piece
 from timelaw.easing.time_scaling import used_fraction
 from timelaw.limits import Demand
 from timelaw.nlp.elastic_runs import SAME_TIME, solve_elastic
@@ -15,7 +17,7 @@ from timelaw.nlp.program import RunProblem
 from timelaw.nlp.solution import Solution, Status
 from timelaw.requirements.given_times import find_stretch
 
-SAME_RATE = 1e-9  # relative: a run entered and left at one speed
+SAME_RATE = 1e-9  # relative: a run entered and left at one speed but for the last digits
 
 
 def list_known(problem: RunProblem) -> Iterator[Solution]:
@@ -60,17 +62,30 @@ def _spread(demand: Demand, family: Family, least: Timing) -> Timing:
 
 
 def _turn_steadily(problem: RunProblem) -> tuple[Timing, ...]:
-    """At the speed of both ends all along, where they are one; empty where that is not so."""
+    """At the speed of the start until the last leg, to that of the end on it; empty if they are not near."""
     start, end = problem.run.speeds
     others = (*problem.start[1:], *problem.end[1:])
     given = any(demand.duration is not None for demand in problem.demands)
     if given or any(others) or not start or abs(start - end) > SAME_RATE * start:
         return ()
-    order = problem.family.continuity
+    order, last = problem.family.continuity, len(problem.demands) - 1
     return tuple(
-        Timing(demand.angle / start, Profile.single(np.linspace(0.0, 1.0, order + 2), order))
-        for demand in problem.demands
+        _change_speed(demand.angle, start, end if index == last else start, order)
+        for index, demand in enumerate(problem.demands)
     )
+
+
+def _change_speed(angle: float, start: float, end: float, order: int) -> Timing:
+    """φ' = start + (end - start) S, S the smoothstep on whose ends `order` - 1 derivatives vanish.
+
+    The change keeps every jump away that two ends with different last digits would make.
+    """
+    duration = 2 * angle / (start + end)
+    rise = np.repeat([0.0, 1.0], order)  # control points of S
+    highest = np.diff(rise, order) * (factorial(2 * order - 1) // factorial(order - 1))
+    state = np.array([0.0, start * duration / angle, *[0.0] * (order - 1)])
+    piece = Piece(1.0, state, (end - start) * duration / angle * highest)
+    return Timing(duration, Profile((piece,)))
 
 
 def is_least(problem: RunProblem, solution: Solution) -> bool:
