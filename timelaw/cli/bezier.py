@@ -17,6 +17,7 @@ from timelaw.errors import EXIT_DONE, EXIT_FINDINGS, InputError
 from timelaw.export import format_law
 from timelaw.export.exporter import Options
 from timelaw.export.registry import EXPORTERS
+from timelaw.files import Content
 from timelaw.pipeline_bezier import BezierDesign, design_curves
 from timelaw.problem import Problem, Source
 from timelaw.progress import tell
@@ -61,7 +62,7 @@ def run(path: Path, problem: Problem, source: Source, output: str | None, *, as_
     return code
 
 
-def list_files(done: BezierDesign) -> tuple[dict[str, str | bytes], list[str]]:
+def list_files(done: BezierDesign) -> tuple[dict[str, Content], list[str]]:
     """Contents by file name, the law first; and why a format of samples is left out."""
     digest = "sha256:" + hashlib.sha256(done.source.text.encode("utf-8", "replace")).hexdigest()
     provenance: dict[str, Any] = {
@@ -76,7 +77,7 @@ def list_files(done: BezierDesign) -> tuple[dict[str, str | bytes], list[str]]:
             for run in done.runs
         ],
     }
-    files: dict[str, str | bytes] = {
+    files: dict[str, Content] = {
         "law.json": format_law(done.optimised.law, done.optimised.certificate, provenance)
     }
     left_out = []

@@ -5,9 +5,9 @@ from dataclasses import dataclass, replace
 from datetime import datetime
 from pathlib import Path
 
+from timelaw.files import Content
 from timelaw.motion import QuaternionLaw
 
-Content = str | bytes
 NOON_2000 = datetime(2000, 1, 1, 12)
 
 
