@@ -4,13 +4,14 @@ REF_FRAME_A is the world and REF_FRAME_B the body; with that sense QC Q1 Q2 Q3 a
 of the motion is one of the message, for readers must not interpolate across them.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from datetime import UTC, datetime, timedelta
 
 import numpy as np
 
 from timelaw.export.exporter import Exporter, Options
-from timelaw.export.samples import sample_segments
+from timelaw.export.samples import refuse_too_many_rows, sample_segments
+from timelaw.files import Blocks
 from timelaw.motion import QuaternionLaw, Segment
 from timelaw.numerics.array import Array
 
@@ -28,13 +29,13 @@ def format_instant(epoch: datetime, seconds: float) -> str:
     return f"{instant:%Y-%m-%dT%H:%M:%S}.{micro % PICOSECONDS:012d}"
 
 
-def write_aem_2(law: QuaternionLaw, options: Options) -> dict[str, str]:
+def write_aem_2(law: QuaternionLaw, options: Options) -> dict[str, Blocks]:
     """Version 2.0: quaternions, scalar last, and rates in body axes in deg/s."""
     kind = ["ATTITUDE_TYPE = QUATERNION/ANGVEL", f"ANGVEL_FRAME = {BODY}"]
     return {".aem": _write(law, options, "2.0", "TAI", kind, _with_rates)}
 
 
-def write_aem_1(law: QuaternionLaw, options: Options) -> dict[str, str]:
+def write_aem_1(law: QuaternionLaw, options: Options) -> dict[str, Blocks]:
     """Version 1.0: quaternions, scalar last."""
     kind = ["ATTITUDE_DIR = A2B", "ATTITUDE_TYPE = QUATERNION", "QUATERNION_TYPE = LAST"]
     return {".aem": _write(law, options, "1.0", "UTC", kind, _scalar_last)}
@@ -50,15 +51,26 @@ def _with_rates(segment: Segment, tau: Array) -> Array:
 
 def _write(
     law: QuaternionLaw, options: Options, version: str, clock: str, kind: list[str], rows: Rows
-) -> str:
-    lines = [
+) -> Blocks:
+    refuse_too_many_rows(law.duration, options.rate)
+    head = [
         f"CCSDS_AEM_VERS = {version}",
         f"CREATION_DATE = {datetime.now(UTC):%Y-%m-%dT%H:%M:%S}",
         "ORIGINATOR = TIMELAW",
     ]
-    for segment, tau, times in sample_segments(law, options.rate):
-        lines += _describe(law, segment, options.epoch, clock, kind)
-        lines += ["DATA_START", *_list_rows(options.epoch, times, rows(segment, tau)), "DATA_STOP"]
+
+    def list_segments() -> Iterator[str]:
+        yield _join(head)
+        for segment, tau, times in sample_segments(law, options.rate):
+            with np.errstate(all="ignore"):  # what a hostile law overflows is not finite in the file
+                values = rows(segment, tau)
+            data = ["DATA_START", *_list_rows(options.epoch, times, values), "DATA_STOP"]
+            yield _join([*_describe(law, segment, options.epoch, clock, kind), *data])
+
+    return Blocks(list_segments)
+
+
+def _join(lines: Sequence[str]) -> str:
     return "\n".join(lines) + "\n"
 
 

@@ -8,11 +8,11 @@ import numpy as np
 
 from timelaw.errors import Fault, InputError
 from timelaw.export.dynamics import measure_momentum, measure_torque
+from timelaw.export.text_rows import cut_rows
 from timelaw.motion import QuaternionLaw, Segment
 from timelaw.numerics.array import Array
 
 MAX_ROWS = 20_000_000  # 5 GB as CSV, written within some minutes
-BLOCK = 8192  # rows that are made together
 NEAR_END = 1e-6  # of a step: a row that close to the last instant is that instant, but for rounding
 RATE_NAMES = {1: "w", 2: "a", 3: "j"}
 
@@ -30,9 +30,9 @@ def list_grid(law: QuaternionLaw, rate: float) -> Array:
 def cut_grid(law: QuaternionLaw, rate: float) -> Iterator[Array]:
     """The same in blocks."""
     count = count_rows(law.duration, rate)
-    for first in range(0, count, BLOCK):
-        t = np.arange(first, min(first + BLOCK, count)) / rate
-        if first + BLOCK >= count:
+    for block in cut_rows(count):
+        t = np.arange(block.start, block.stop) / rate
+        if block.stop == count:
             t[-1] = law.duration
         yield t
 

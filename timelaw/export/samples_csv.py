@@ -18,6 +18,7 @@ from timelaw.export.samples import (
     refuse_too_many_rows,
     tabulate,
 )
+from timelaw.export.text_rows import format_rows
 from timelaw.files import Blocks
 from timelaw.motion import QuaternionLaw
 from timelaw.numerics.array import Array
@@ -42,14 +43,14 @@ def _format_blocks(law: QuaternionLaw, rate: float) -> Iterator[str]:
 
 
 def _format_rows(law: QuaternionLaw, t: Array, near: float) -> str:
-    """All rows by one format, in which the segments and nodes stand already: half the time of row by row."""
+    """In the format of each row its segment and node stand already."""
     with np.errstate(all="ignore"):  # what a hostile law overflows is not finite in the file
-        numbers = np.column_stack(list(tabulate(law, t).values())) + 0.0
+        numbers = np.column_stack(list(tabulate(law, t).values()))
     row = ",".join(["%.15g"] * numbers.shape[1])
     segments, nodes = number_segments(law, t).tolist(), label_nodes(law, t, near)
     quoted = {label: _quote(label).replace("%", "%%") for label in set(nodes)}
-    rows = "".join([f"{row},{k},{quoted[node]}\n" for k, node in zip(segments, nodes, strict=True)])
-    return rows % tuple(numbers.ravel().tolist())
+    formats = [f"{row},{k},{quoted[node]}\n" for k, node in zip(segments, nodes, strict=True)]
+    return format_rows(numbers, formats)
 
 
 def write_samples(law: QuaternionLaw, options: Options) -> dict[str, Blocks]:
