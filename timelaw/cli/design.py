@@ -19,7 +19,7 @@ from timelaw.errors import EXIT_DONE, EXIT_FINDINGS, InputError
 from timelaw.export import format_law
 from timelaw.export.exporter import Options
 from timelaw.export.registry import EXPORTERS
-from timelaw.export.samples import refuse_too_many_rows
+from timelaw.export.samples import MAX_ROWS_FOUND, refuse_too_many_rows
 from timelaw.files import Content
 from timelaw.pipeline import Design, Layout, design_layout, lay_out_problem
 from timelaw.problem import load_problem
@@ -152,7 +152,7 @@ def list_files(done: Design, path: Path, samples: dict[str, Content] | None = No
 def list_samples(done: Design) -> tuple[dict[str, Content], dict[str, str]]:
     """Contents by file name of the usual formats, and of those that are left out the reason."""
     written: dict[str, Content] = {}
-    options = Options(done.problem.output.rate)
+    options = Options(done.problem.output.rate, most=MAX_ROWS_FOUND)
     left_out: dict[str, str] = {}
     for exporter in (exporter for exporter in EXPORTERS.values() if exporter.usual):
         try:

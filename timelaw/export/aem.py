@@ -6,6 +6,7 @@ of the motion is one of the message, for readers must not interpolate across the
 
 from collections.abc import Callable, Iterator, Sequence
 from datetime import UTC, datetime, timedelta
+from functools import lru_cache
 
 import numpy as np
 
@@ -22,11 +23,13 @@ Rows = Callable[[Segment, Array], Array]
 
 def format_instant(epoch: datetime, seconds: float) -> str:
     """A time so long after an epoch, to the picosecond, as in 2000-01-01T12:00:01.500000000000."""
-    whole, part = divmod(round(seconds * PICOSECONDS), PICOSECONDS)
-    instant = epoch + timedelta(seconds=whole)
-    micro = instant.microsecond * 10**6 + part
-    instant += timedelta(seconds=micro // PICOSECONDS)
-    return f"{instant:%Y-%m-%dT%H:%M:%S}.{micro % PICOSECONDS:012d}"
+    whole, part = divmod(round(seconds * PICOSECONDS) + epoch.microsecond * 10**6, PICOSECONDS)
+    return f"{_format_second(epoch, whole)}.{part:012d}"
+
+
+@lru_cache(maxsize=1)  # there are many instants in a second
+def _format_second(epoch: datetime, seconds: int) -> str:
+    return f"{epoch + timedelta(seconds=seconds):%Y-%m-%dT%H:%M:%S}"
 
 
 def write_aem_2(law: QuaternionLaw, options: Options) -> dict[str, Blocks]:
@@ -110,8 +113,9 @@ def _on_one_line(name: str) -> str:
 
 
 def _list_rows(epoch: datetime, times: Array, rows: Array) -> Iterator[str]:
+    cells = " ".join(["%s"] + ["%.15f"] * rows.shape[1])
     for t, row in zip(times.tolist(), (rows + 0.0).tolist(), strict=True):
-        yield " ".join([format_instant(epoch, t), *(f"{value:.15f}" for value in row)])
+        yield cells % (format_instant(epoch, t), *row)
 
 
 LOSES = "α, place; all between the samples; the world is called EME2000"

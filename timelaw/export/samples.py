@@ -13,6 +13,7 @@ from timelaw.motion import QuaternionLaw, Segment
 from timelaw.numerics.array import Array
 
 MAX_ROWS = 20_000_000  # 5 GB as CSV, written within some minutes
+MAX_ROWS_FOUND = 2 * MAX_ROWS  # of a law that takes longer than the least time that was known before it
 NEAR_END = 1e-6  # of a step: a row that close to the last instant is that instant, but for rounding
 RATE_NAMES = {1: "w", 2: "a", 3: "j"}
 
@@ -114,19 +115,19 @@ def count_rows(duration: float, rate: float) -> int:
     return max(ceil(duration * rate - NEAR_END), 1) + 1
 
 
-def refuse_too_many_rows(duration: float, rate: float, words: str = "") -> None:
+def refuse_too_many_rows(duration: float, rate: float, words: str = "", most: int = MAX_ROWS) -> None:
     """Say what rate is possible for a motion of `duration` [s]; `words` is "at least" if it may be longer.
 
     Raises:
-        InputError: the table would have more than are written.
+        InputError: the table would have more rows than are written.
     """
     count = count_rows(duration, rate)
-    if count > MAX_ROWS:
+    if count > most:
         rows = f"{words} {count} rows in {duration:.6g} s".strip()
-        possible = MAX_ROWS / duration
+        possible = most / duration
         step = 10.0 ** (floor(log10(possible)) - 2)
         below = f"{floor(possible / step) * step:.6g} Hz"
-        message = f"{rows}; at most {MAX_ROWS} are written, choose a lower rate, below {below}"
+        message = f"{rows}; at most {most} are written, choose a lower rate, below {below}"
         raise InputError(Fault(message, "output.rate"))
 
 

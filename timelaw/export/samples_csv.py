@@ -11,6 +11,7 @@ import numpy as np
 
 from timelaw.export.exporter import Exporter, Options
 from timelaw.export.samples import (
+    MAX_ROWS,
     NEAR_END,
     cut_grid,
     label_nodes,
@@ -24,13 +25,13 @@ from timelaw.motion import QuaternionLaw
 from timelaw.numerics.array import Array
 
 
-def format_samples(law: QuaternionLaw, rate: float) -> Blocks:
+def format_samples(law: QuaternionLaw, rate: float, most: int = MAX_ROWS) -> Blocks:
     """The text of the table at `rate` [1/s]: the even grid, whose last row is the last instant.
 
     Raises:
-        InputError: the table would have more rows than are written.
+        InputError: the table would have more rows than `most`.
     """
-    refuse_too_many_rows(law.duration, rate)
+    refuse_too_many_rows(law.duration, rate, most=most)
     return Blocks(lambda: _format_blocks(law, rate))
 
 
@@ -55,7 +56,7 @@ def _format_rows(law: QuaternionLaw, t: Array, near: float) -> str:
 
 def write_samples(law: QuaternionLaw, options: Options) -> dict[str, Blocks]:
     """The table as an exporter gives it."""
-    return {".csv": format_samples(law, options.rate)}
+    return {".csv": format_samples(law, options.rate, options.most)}
 
 
 def _quote(label: str) -> str:
