@@ -63,7 +63,7 @@ def test_an_exported_law_comes_back(tmp_path):
     for key in ("aem", "aem-1.0", "stk", "tum"):
         files = EXPORTERS[key].name_files(law, Options(4.0), tmp_path / EXPORTERS[key].file_name)
         ((name, content),) = files.items()
-        found = read(tmp_path, name.split("/")[-1], content, ", duplicates: merge")
+        found = read(tmp_path, name.split("/")[-1], "".join(content), ", duplicates: merge")
         nodes = [law.segments[0].start, *(s.end for s in law.segments)]
         for node in nodes:
             assert np.min(angles_between(found.quaternions, node)) < 1e-9

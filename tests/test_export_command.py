@@ -73,7 +73,7 @@ def test_the_list_says_what_each_carries_and_loses(capfd):
         ([PAPER, "--to", "csv", "--rate", "1 MHz"], 'unknown unit "MHz"'),
         (
             [PAPER, "--to", "csv", "--rate", "900 kHz"],
-            "25945996 rows in 28.8289 s; at most 2000000 are written",
+            "25945996 rows in 28.8289 s; at most 20000000 are written",
         ),
         ([PAPER, "--to", "c99", "--rate", "9 Hz"], "--rate does nothing for c99; it belongs to csv, npz"),
         (

@@ -45,7 +45,7 @@ def fill(hint, value):
 @pytest.mark.parametrize("name", [*SHIPPED, "mixed", "points"])
 def test_ros_takes_the_message_and_gives_the_motion_in_world_axes(name):
     law = law_of(name)
-    text = EXPORTERS["ros"].write(law, Options(5.0))[".yaml"]
+    text = "".join(EXPORTERS["ros"].write(law, Options(5.0))[".yaml"])
     message = build(KIND, yaml.load(text, yaml.CSafeLoader))
     again = TYPES.deserialize_cdr(TYPES.serialize_cdr(message, KIND), KIND)
     assert (again.joint_names, again.header.frame_id) == (["body"], "world")
@@ -82,7 +82,7 @@ def test_numbers_are_numbers_in_yaml_1_1(value):
 def test_evo_reads_the_trajectory(name, tmp_path):
     law = law_of(name)
     path = tmp_path / "trajectory.tum"
-    path.write_text(EXPORTERS["tum"].write(law, Options(20.0))[".tum"])
+    path.write_text("".join(EXPORTERS["tum"].write(law, Options(20.0))[".tum"]))
     found = read_tum_trajectory_file(path)
     t = found.timestamps.clip(0, law.duration)
     assert found.check()[0]

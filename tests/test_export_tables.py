@@ -1,6 +1,8 @@
 """Samples as other programs read them: pandas, NumPy, MATLAB's format; and what they say of torque and nodes."""
 
 import io
+import tracemalloc
+from itertools import islice
 
 import numpy as np
 import pandas
@@ -11,6 +13,8 @@ from scipy.spatial.transform import Rotation
 from tests.laws import LAWS, SHIPPED, law_of, quarter_turn
 from timelaw.export.exporter import Options
 from timelaw.export.registry import EXPORTERS
+from timelaw.files import write_file
+from timelaw.results_folder import write_results
 
 RATES = (("w", 1), ("a", 2), ("j", 3))
 
@@ -18,7 +22,7 @@ RATES = (("w", 1), ("a", 2), ("j", 3))
 def read_csv(law, rate=10.0):
     """By pandas, without an option."""
     text = EXPORTERS["csv"].write(law, Options(rate))[".csv"]
-    return pandas.read_csv(io.StringIO(text))
+    return pandas.read_csv(io.StringIO("".join(text)))
 
 
 @pytest.mark.parametrize("name", LAWS)
@@ -55,10 +59,38 @@ def test_segment_and_node_say_where_the_body_is():
 
 def test_labels_that_csv_has_to_quote_come_back():
     law = quarter_turn()
-    object.__setattr__(law.segments[0], "origin", 'a "first", of two')
+    object.__setattr__(law.segments[0], "origin", 'a "first", 100 % of two')
     table = read_csv(law)
-    assert table["node"].iloc[0] == 'a "first", of two'
+    assert table["node"].iloc[0] == 'a "first", 100 % of two'
     assert table["node"].iloc[-1] == "b"
+
+
+def test_three_million_rows_are_made_as_they_are_written():
+    """The first rows do not wait for the last, and memory is one block; the text is that of fewer rows."""
+    law = law_of("paper")
+    rate = 3e6 / law.duration
+    tracemalloc.start()
+    text = EXPORTERS["csv"].write(law, Options(rate))[".csv"]
+    head, first, second = islice(text, 3)
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert peak < 40e6
+    rows = np.array([[float(cell) for cell in row.split(",")[:5]] for row in (first + second).splitlines()])
+    assert head.startswith("t,qw,qx,qy,qz,")
+    np.testing.assert_allclose(rows[:, 0], np.arange(len(rows)) / rate, rtol=1e-14)
+    np.testing.assert_allclose(rows[:, 1:], law(rows[:, 0]), atol=1e-14)
+    assert "".join(islice(text, 3)) == head + first + second
+
+
+def test_blocks_are_written_as_one_text(tmp_path):
+    law = law_of("dwells")
+    text = EXPORTERS["csv"].write(law, Options(20000 / law.duration))[".csv"]
+    blocks = list(text)
+    assert len(blocks) == 4
+    write_file(tmp_path / "samples.csv", text)
+    write_results(tmp_path / "out", "design", {"samples.csv": text})
+    for path in (tmp_path / "samples.csv", tmp_path / "out" / "samples.csv"):
+        assert path.read_text() == "".join(blocks)
 
 
 def differentiate(t, values):

@@ -362,12 +362,16 @@ def test_the_record_of_the_way_is_compared():
 
 def test_samples_have_place_and_velocity_after_the_rest():
     law = from_document(moving())
-    header, *rows = format_samples(law, 10.0).splitlines()
+    header, *rows = "".join(format_samples(law, 10.0)).splitlines()
     assert header.endswith("jx,jy,jz,x,y,z,vx,vy,vz,segment,node")
     table = np.array([[float(cell) for cell in row.split(",")[:20]] for row in rows])
     np.testing.assert_allclose(table[:, 14:17], law.place(table[:, 0]), atol=1e-12)
     np.testing.assert_allclose(table[:, 17:20], law.place(table[:, 0], 1), atol=1e-12)
-    assert format_samples(from_document(make_law()), 10.0).splitlines()[0].endswith("jx,jy,jz,segment,node")
+    assert (
+        "".join(format_samples(from_document(make_law()), 10.0))
+        .splitlines()[0]
+        .endswith("jx,jy,jz,segment,node")
+    )
 
 
 def test_a_motion_without_a_translation_has_no_place():

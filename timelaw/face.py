@@ -38,7 +38,7 @@ class Law(QuaternionLaw):
         """Arrays by name at `rate` [1/s]: t (m,), q (m, 4), omega, alpha, jerk (m, 3) and what else is known.
 
         Raises:
-            InputError: there would be more than two million rows.
+            InputError: there would be more rows than are written.
             ValueError: the rate is not positive.
         """
         if not 0 < rate < np.inf:

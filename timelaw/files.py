@@ -3,8 +3,9 @@
 import os
 import stat
 import tempfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager, suppress
+from dataclasses import dataclass
 from errno import EISDIR
 from io import TextIOWrapper
 from math import isfinite
@@ -26,6 +27,20 @@ LONGEST_LABEL = 1000  # characters of a label or name in any file; they stand in
 LONGEST_LINE = 20_001  # characters of one that is streamed, and its end
 MARK = b"\xef\xbb\xbf".decode("latin-1")  # of a UTF-8 text, read as Latin-1
 START = 1000  # bytes, in which a file shows of what kind it is
+
+
+@dataclass(frozen=True)
+class Blocks:
+    """A text too large to be held: `make` gives it block by block, whenever it is written."""
+
+    make: Callable[[], Iterable[str]]
+
+    def __iter__(self) -> Iterator[str]:
+        """From its beginning."""
+        return iter(self.make())
+
+
+Content = str | bytes | Blocks
 
 
 def read_start(path: Path) -> bytes:
@@ -129,7 +144,7 @@ def replace_unbounded(data: Any) -> Any:
     return None if isinstance(data, float) and not isfinite(data) else data
 
 
-def write_file(path: Path, content: str | bytes) -> None:
+def write_file(path: Path, content: Content) -> None:
     """Replace `path` by a text or by bytes in one step; see `write_files`."""
     write_files({path: content})
 
@@ -139,7 +154,7 @@ def write_text(path: Path, text: str) -> None:
     write_files({path: text})
 
 
-def write_files(contents: Mapping[Path, str | bytes]) -> None:
+def write_files(contents: Mapping[Path, Content]) -> None:
     """Replace files by texts (UTF-8) or bytes; a reader never sees half a file.
 
     All are written beside their places first, then each takes its place in one step.
@@ -164,7 +179,7 @@ def write_files(contents: Mapping[Path, str | bytes]) -> None:
                 os.unlink(temporary)
 
 
-def _write_beside(path: Path, content: str | bytes, written: dict[Path, str]) -> None:
+def _write_beside(path: Path, content: Content, written: dict[Path, str]) -> None:
     """Write a temporary file in the folder of `path`, and note its name before anything may fail.
 
     Raises:
@@ -175,10 +190,20 @@ def _write_beside(path: Path, content: str | bytes, written: dict[Path, str]) ->
         raise IsADirectoryError(EISDIR, os.strerror(EISDIR))
     handle, written[path] = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
     with os.fdopen(handle, "wb") as file:
-        file.write(content if isinstance(content, bytes) else content.encode("utf-8", errors="replace"))
-        file.flush()
-        os.fsync(file.fileno())
+        write_content(file, content)
     os.chmod(written[path], 0o666 & ~read_umask())
+
+
+def write_content(file: BinaryIO, content: Content) -> None:
+    """Write a content to an open file, and wait until it is on the disk.
+
+    Raises:
+        OSError: it cannot be written.
+    """
+    for block in content if isinstance(content, Blocks) else (content,):
+        file.write(block if isinstance(block, bytes) else block.encode("utf-8", errors="replace"))
+    file.flush()
+    os.fsync(file.fileno())
 
 
 @contextmanager

@@ -17,6 +17,8 @@ from timelaw.errors import EXIT_DONE, EXIT_FINDINGS, InputError
 from timelaw.export import format_law
 from timelaw.export.exporter import Options
 from timelaw.export.registry import EXPORTERS
+from timelaw.export.samples import MAX_ROWS_FOUND
+from timelaw.files import Content
 from timelaw.pipeline_bezier import BezierDesign, design_curves
 from timelaw.problem import Problem, Source
 from timelaw.progress import tell
@@ -61,7 +63,7 @@ def run(path: Path, problem: Problem, source: Source, output: str | None, *, as_
     return code
 
 
-def list_files(done: BezierDesign) -> tuple[dict[str, str | bytes], list[str]]:
+def list_files(done: BezierDesign) -> tuple[dict[str, Content], list[str]]:
     """Contents by file name, the law first; and why a format of samples is left out."""
     digest = "sha256:" + hashlib.sha256(done.source.text.encode("utf-8", "replace")).hexdigest()
     provenance: dict[str, Any] = {
@@ -76,14 +78,15 @@ def list_files(done: BezierDesign) -> tuple[dict[str, str | bytes], list[str]]:
             for run in done.runs
         ],
     }
-    files: dict[str, str | bytes] = {
+    files: dict[str, Content] = {
         "law.json": format_law(done.optimised.law, done.optimised.certificate, provenance)
     }
     left_out = []
+    options = Options(done.problem.output.rate, most=MAX_ROWS_FOUND)
     for exporter in (exporter for exporter in EXPORTERS.values() if exporter.usual):
         try:
             with done.source.placed():
-                files |= exporter.name_files(done.optimised.law, Options(done.problem.output.rate))
+                files |= exporter.name_files(done.optimised.law, options)
         except InputError as error:  # all else is designed, and worth keeping
             left_out.append(f"{exporter.file_name} is left out: {error}")
     return files | render_curve_report(done, digest), left_out

@@ -17,9 +17,10 @@ from timelaw.cli.console import (
 )
 from timelaw.errors import EXIT_DONE, EXIT_FINDINGS, InputError
 from timelaw.export import format_law
-from timelaw.export.exporter import Content, Options
+from timelaw.export.exporter import Options
 from timelaw.export.registry import EXPORTERS
-from timelaw.export.samples import refuse_too_many_rows
+from timelaw.export.samples import MAX_ROWS_FOUND, refuse_too_many_rows
+from timelaw.files import Content
 from timelaw.pipeline import Design, Layout, design_layout, lay_out_problem
 from timelaw.problem import load_problem
 from timelaw.problem.output import find_given_times
@@ -123,9 +124,7 @@ def _passing(done: Design) -> dict[str, Any]:
     return {"through": {"passed": done.through.passed, "passages": passages}}
 
 
-def list_files(
-    done: Design, path: Path, samples: dict[str, str | bytes] | None = None
-) -> dict[str, str | bytes]:
+def list_files(done: Design, path: Path, samples: dict[str, Content] | None = None) -> dict[str, Content]:
     """Contents by file name: the law, which comes first, its `samples` in the usual formats, its report."""
     digest = "sha256:" + hashlib.sha256(done.source.text.encode("utf-8", "replace")).hexdigest()
     provenance: dict[str, Any] = {
@@ -150,10 +149,10 @@ def list_files(
     }
 
 
-def list_samples(done: Design) -> tuple[dict[str, str | bytes], dict[str, str]]:
+def list_samples(done: Design) -> tuple[dict[str, Content], dict[str, str]]:
     """Contents by file name of the usual formats, and of those that are left out the reason."""
     written: dict[str, Content] = {}
-    options = Options(done.problem.output.rate)
+    options = Options(done.problem.output.rate, most=MAX_ROWS_FOUND)
     left_out: dict[str, str] = {}
     for exporter in (exporter for exporter in EXPORTERS.values() if exporter.usual):
         try:

@@ -4,13 +4,15 @@ REF_FRAME_A is the world and REF_FRAME_B the body; with that sense QC Q1 Q2 Q3 a
 of the motion is one of the message, for readers must not interpolate across them.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from datetime import UTC, datetime, timedelta
+from functools import lru_cache
 
 import numpy as np
 
 from timelaw.export.exporter import Exporter, Options
-from timelaw.export.samples import sample_segments
+from timelaw.export.samples import refuse_too_many_rows, sample_segments
+from timelaw.files import Blocks
 from timelaw.motion import QuaternionLaw, Segment
 from timelaw.numerics.array import Array
 
@@ -21,20 +23,22 @@ Rows = Callable[[Segment, Array], Array]
 
 def format_instant(epoch: datetime, seconds: float) -> str:
     """A time so long after an epoch, to the picosecond, as in 2000-01-01T12:00:01.500000000000."""
-    whole, part = divmod(round(seconds * PICOSECONDS), PICOSECONDS)
-    instant = epoch + timedelta(seconds=whole)
-    micro = instant.microsecond * 10**6 + part
-    instant += timedelta(seconds=micro // PICOSECONDS)
-    return f"{instant:%Y-%m-%dT%H:%M:%S}.{micro % PICOSECONDS:012d}"
+    whole, part = divmod(round(seconds * PICOSECONDS) + epoch.microsecond * 10**6, PICOSECONDS)
+    return f"{_format_second(epoch, whole)}.{part:012d}"
 
 
-def write_aem_2(law: QuaternionLaw, options: Options) -> dict[str, str]:
+@lru_cache(maxsize=1)  # there are many instants in a second
+def _format_second(epoch: datetime, seconds: int) -> str:
+    return f"{epoch + timedelta(seconds=seconds):%Y-%m-%dT%H:%M:%S}"
+
+
+def write_aem_2(law: QuaternionLaw, options: Options) -> dict[str, Blocks]:
     """Version 2.0: quaternions, scalar last, and rates in body axes in deg/s."""
     kind = ["ATTITUDE_TYPE = QUATERNION/ANGVEL", f"ANGVEL_FRAME = {BODY}"]
     return {".aem": _write(law, options, "2.0", "TAI", kind, _with_rates)}
 
 
-def write_aem_1(law: QuaternionLaw, options: Options) -> dict[str, str]:
+def write_aem_1(law: QuaternionLaw, options: Options) -> dict[str, Blocks]:
     """Version 1.0: quaternions, scalar last."""
     kind = ["ATTITUDE_DIR = A2B", "ATTITUDE_TYPE = QUATERNION", "QUATERNION_TYPE = LAST"]
     return {".aem": _write(law, options, "1.0", "UTC", kind, _scalar_last)}
@@ -50,15 +54,26 @@ def _with_rates(segment: Segment, tau: Array) -> Array:
 
 def _write(
     law: QuaternionLaw, options: Options, version: str, clock: str, kind: list[str], rows: Rows
-) -> str:
-    lines = [
+) -> Blocks:
+    refuse_too_many_rows(law.duration, options.rate)
+    head = [
         f"CCSDS_AEM_VERS = {version}",
         f"CREATION_DATE = {datetime.now(UTC):%Y-%m-%dT%H:%M:%S}",
         "ORIGINATOR = TIMELAW",
     ]
-    for segment, tau, times in sample_segments(law, options.rate):
-        lines += _describe(law, segment, options.epoch, clock, kind)
-        lines += ["DATA_START", *_list_rows(options.epoch, times, rows(segment, tau)), "DATA_STOP"]
+
+    def list_segments() -> Iterator[str]:
+        yield _join(head)
+        for segment, tau, times in sample_segments(law, options.rate):
+            with np.errstate(all="ignore"):  # what a hostile law overflows is not finite in the file
+                values = rows(segment, tau)
+            data = ["DATA_START", *_list_rows(options.epoch, times, values), "DATA_STOP"]
+            yield _join([*_describe(law, segment, options.epoch, clock, kind), *data])
+
+    return Blocks(list_segments)
+
+
+def _join(lines: Sequence[str]) -> str:
     return "\n".join(lines) + "\n"
 
 
@@ -98,8 +113,9 @@ def _on_one_line(name: str) -> str:
 
 
 def _list_rows(epoch: datetime, times: Array, rows: Array) -> Iterator[str]:
+    cells = " ".join(["%s"] + ["%.15f"] * rows.shape[1])
     for t, row in zip(times.tolist(), (rows + 0.0).tolist(), strict=True):
-        yield " ".join([format_instant(epoch, t), *(f"{value:.15f}" for value in row)])
+        yield cells % (format_instant(epoch, t), *row)
 
 
 LOSES = "α, place; all between the samples; the world is called EME2000"

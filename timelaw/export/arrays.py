@@ -22,11 +22,11 @@ def gather_arrays(law: QuaternionLaw, rate: float) -> dict[str, Any]:
     `node_times` (n+1,) and `node_labels` are those of the nodes.
 
     Raises:
-        InputError: there would be more than two million rows.
+        InputError: there would be more rows than are written.
     """
     t = list_grid(law, rate)
-    found: dict[str, Any] = {"t": t, "q": law(t)}
-    found |= {name: law(t, order) for order, name in ((1, "omega"), (2, "alpha"), (3, "jerk"))}
+    names = ("q", "omega", "alpha", "jerk")
+    found: dict[str, Any] = {"t": t} | dict(zip(names, law.evaluate(t, range(len(names))), strict=True))
     if law.travels:
         found |= {"place": law.place(t), "velocity": law.place(t, 1)}
     if law.body is not None:

@@ -3,23 +3,25 @@
 Its reader takes ω and α in inertial axes unless `useReferenceFrame` is set; so they are written.
 """
 
-import io
-
 import numpy as np
 
 from timelaw.export.exporter import Exporter, Options
 from timelaw.export.samples import list_instants
+from timelaw.export.text_rows import format_table
 from timelaw.export.world_rates import turn_to_world
+from timelaw.files import Blocks
 from timelaw.motion import QuaternionLaw
+from timelaw.numerics.array import Array
 
 
-def write_waypoints(law: QuaternionLaw, options: Options) -> dict[str, str]:
+def write_waypoints(law: QuaternionLaw, options: Options) -> dict[str, Blocks]:
     """Rows t, q (scalar first: attitudeType 1), ω, α in inertial axes, with commas."""
-    t = list_instants(law, options.rate)
-    rows = np.column_stack([t, law(t), turn_to_world(law, t, 1), turn_to_world(law, t, 2)])
-    text = io.StringIO()
-    np.savetxt(text, rows + 0.0, fmt="%.15g", delimiter=",")
-    return {".txt": text.getvalue()}
+    times = list_instants(law, options.rate)
+
+    def tabulate(t: Array) -> Array:
+        return np.column_stack([t, law(t), turn_to_world(law, t, 1), turn_to_world(law, t, 2)])
+
+    return {".txt": Blocks(lambda: format_table(times, tabulate, "%.15g", ","))}
 
 
 BASILISK = Exporter(

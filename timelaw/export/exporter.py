@@ -5,9 +5,10 @@ from dataclasses import dataclass, replace
 from datetime import datetime
 from pathlib import Path
 
+from timelaw.export.samples import MAX_ROWS
+from timelaw.files import Content
 from timelaw.motion import QuaternionLaw
 
-Content = str | bytes
 NOON_2000 = datetime(2000, 1, 1, 12)
 
 
@@ -16,13 +17,15 @@ class Options:
     """What users may choose, each where the format takes it.
 
     `rate` [1/s] of samples, the `epoch` at which a motion begins in formats with calendar times, numbers in
-    `single` precision, and the `stem` of the files, by which texts call each other.
+    `single` precision, and the `stem` of the files, by which texts call each other. A table has at `most` so
+    many rows.
     """
 
     rate: float = 100.0
     epoch: datetime = NOON_2000
     single: bool = False
     stem: str = "law"
+    most: int = MAX_ROWS
 
 
 @dataclass(frozen=True)

@@ -8,10 +8,12 @@ import numpy as np
 
 from timelaw.errors import Fault, InputError
 from timelaw.export.dynamics import measure_momentum, measure_torque
+from timelaw.export.text_rows import cut_rows
 from timelaw.motion import QuaternionLaw, Segment
 from timelaw.numerics.array import Array
 
-MAX_ROWS = 2_000_000
+MAX_ROWS = 20_000_000  # 5 GB as CSV, written within some minutes
+MAX_ROWS_FOUND = 2 * MAX_ROWS  # of a law that takes longer than the least time that was known before it
 NEAR_END = 1e-6  # of a step: a row that close to the last instant is that instant, but for rounding
 RATE_NAMES = {1: "w", 2: "a", 3: "j"}
 
@@ -20,17 +22,27 @@ def list_grid(law: QuaternionLaw, rate: float) -> Array:
     """The even grid of times (m,) at `rate` [1/s], and the last instant.
 
     Raises:
-        InputError: there would be more than two million.
+        InputError: there would be more than are written.
     """
     refuse_too_many_rows(law.duration, rate)
-    return np.append(np.arange(count_rows(law.duration, rate) - 1) / rate, law.duration)
+    return np.concatenate(list(cut_grid(law, rate)))
+
+
+def cut_grid(law: QuaternionLaw, rate: float) -> Iterator[Array]:
+    """The same in blocks."""
+    count = count_rows(law.duration, rate)
+    for block in cut_rows(count):
+        t = np.arange(block.start, block.stop) / rate
+        if block.stop == count:
+            t[-1] = law.duration
+        yield t
 
 
 def list_instants(law: QuaternionLaw, rate: float) -> Array:
     """The even grid (m,) and the nodes: who interpolates between them cuts no corner.
 
     Raises:
-        InputError: there would be more than two million.
+        InputError: there would be more than are written.
     """
     nodes, near = law.times, NEAR_END / rate
     grid = list_grid(law, rate)
@@ -43,7 +55,7 @@ def sample_segments(law: QuaternionLaw, rate: float) -> Iterator[tuple[Segment, 
     """Each segment with the instants τ (m,) and t (m,) that divide it evenly, at `rate` [1/s] at least.
 
     Raises:
-        InputError: there would be more than two million in all.
+        InputError: there would be more than are written.
     """
     refuse_too_many_rows(law.duration, rate)
     for segment, (start, end) in zip(law.segments, pairwise(law.times.tolist()), strict=True):
@@ -55,10 +67,10 @@ def sample_segments(law: QuaternionLaw, rate: float) -> Iterator[tuple[Segment, 
 
 def tabulate(law: QuaternionLaw, t: Array) -> dict[str, Array]:
     """Columns by name at the instants t (m,): t, quaternion, rates and what else is known; see `COLUMNS`."""
-    found = {"t": t}
-    found |= _name("q", "wxyz", law(t))
-    for order, name in RATE_NAMES.items():
-        found |= _name(name, "xyz", law(t, order))
+    q, *rates = law.evaluate(t, (0, *RATE_NAMES))
+    found = {"t": t} | _name("q", "wxyz", q)
+    for name, values in zip(RATE_NAMES.values(), rates, strict=True):
+        found |= _name(name, "xyz", values)
     if law.travels:
         found |= _name("", "xyz", law.place(t)) | _name("v", "xyz", law.place(t, 1))
     if law.body is not None:
@@ -88,13 +100,13 @@ def number_segments(law: QuaternionLaw, t: Array) -> Array:
 
 def label_nodes(law: QuaternionLaw, t: Array, near: float) -> list[str]:
     """The label of the node at each instant (m,): during dwells, within `near` [s] of nodes; else empty."""
-    found = []
-    for instant, number in zip(t.tolist(), number_segments(law, t).tolist(), strict=True):
-        segment = law.segments[number - 1]
-        start, end = law.times[number - 1], law.times[number]
-        at_end = end - instant <= near and end - instant < instant - start
-        at = at_end or instant - start <= near or not segment.moves
-        found.append((segment.target if at_end else segment.origin) if at else "")
+    number = number_segments(law, t) - 1
+    passed, left = t - law.times[number], law.times[number + 1] - t
+    at_end = (left <= near) & (left < passed)
+    at = at_end | (passed <= near) | np.array([not segment.moves for segment in law.segments])[number]
+    origins, targets = zip(*((segment.origin, segment.target) for segment in law.segments), strict=True)
+    labels = np.array([*origins, *targets, ""], dtype=object)
+    found: list[str] = labels[np.where(at, number + at_end * len(origins), -1)].tolist()
     return found
 
 
@@ -103,19 +115,19 @@ def count_rows(duration: float, rate: float) -> int:
     return max(ceil(duration * rate - NEAR_END), 1) + 1
 
 
-def refuse_too_many_rows(duration: float, rate: float, words: str = "") -> None:
+def refuse_too_many_rows(duration: float, rate: float, words: str = "", most: int = MAX_ROWS) -> None:
     """Say what rate is possible for a motion of `duration` [s]; `words` is "at least" if it may be longer.
 
     Raises:
-        InputError: the table would have more than two million rows.
+        InputError: the table would have more rows than are written.
     """
     count = count_rows(duration, rate)
-    if count > MAX_ROWS:
+    if count > most:
         rows = f"{words} {count} rows in {duration:.6g} s".strip()
-        possible = MAX_ROWS / duration
+        possible = most / duration
         step = 10.0 ** (floor(log10(possible)) - 2)
         below = f"{floor(possible / step) * step:.6g} Hz"
-        message = f"{rows}; at most {MAX_ROWS} are written, choose a lower rate, below {below}"
+        message = f"{rows}; at most {most} are written, choose a lower rate, below {below}"
         raise InputError(Fault(message, "output.rate"))
 
 

@@ -5,41 +5,58 @@ Its header is line 1, so that `pandas.read_csv` and MATLAB's `readtable` need no
 
 import csv
 import io
+from collections.abc import Iterator
 
 import numpy as np
 
 from timelaw.export.exporter import Exporter, Options
-from timelaw.export.samples import NEAR_END, label_nodes, list_grid, number_segments, tabulate
+from timelaw.export.samples import (
+    MAX_ROWS,
+    NEAR_END,
+    cut_grid,
+    label_nodes,
+    number_segments,
+    refuse_too_many_rows,
+    tabulate,
+)
+from timelaw.export.text_rows import format_rows
+from timelaw.files import Blocks
 from timelaw.motion import QuaternionLaw
+from timelaw.numerics.array import Array
 
-BLOCK = 20_000  # rows that are evaluated together: polynomials of high degree take some memory for each
 
-
-def format_samples(law: QuaternionLaw, rate: float) -> str:
+def format_samples(law: QuaternionLaw, rate: float, most: int = MAX_ROWS) -> Blocks:
     """The text of the table at `rate` [1/s]: the even grid, whose last row is the last instant.
 
     Raises:
-        InputError: the table would have more than two million rows.
+        InputError: the table would have more rows than `most`.
     """
-    times = list_grid(law, rate)
-    text = io.StringIO()
-    for first in range(0, len(times), BLOCK):
-        t = times[first : first + BLOCK]
-        columns = tabulate(law, t)
-        if not first:
-            text.write(",".join([*columns, "segment", "node"]) + "\n")
-        numbers = np.column_stack(list(columns.values())) + 0.0
-        segments = number_segments(law, t).tolist()
-        nodes = label_nodes(law, t, NEAR_END / rate)
-        row_format = ",".join(["%.15g"] * len(columns)) + ",%d,%s\n"
-        for row, segment, node in zip(numbers.tolist(), segments, nodes, strict=True):
-            text.write(row_format % (*row, segment, _quote(node)))
-    return text.getvalue()
+    refuse_too_many_rows(law.duration, rate, most=most)
+    return Blocks(lambda: _format_blocks(law, rate))
 
 
-def write_samples(law: QuaternionLaw, options: Options) -> dict[str, str]:
+def _format_blocks(law: QuaternionLaw, rate: float) -> Iterator[str]:
+    with np.errstate(all="ignore"):
+        names = tabulate(law, np.zeros(1))
+    yield ",".join([*names, "segment", "node"]) + "\n"
+    for t in cut_grid(law, rate):
+        yield _format_rows(law, t, NEAR_END / rate)
+
+
+def _format_rows(law: QuaternionLaw, t: Array, near: float) -> str:
+    """In the format of each row its segment and node stand already."""
+    with np.errstate(all="ignore"):  # what a hostile law overflows is not finite in the file
+        numbers = np.column_stack(list(tabulate(law, t).values()))
+    row = ",".join(["%.15g"] * numbers.shape[1])
+    segments, nodes = number_segments(law, t).tolist(), label_nodes(law, t, near)
+    quoted = {label: _quote(label).replace("%", "%%") for label in set(nodes)}
+    formats = [f"{row},{k},{quoted[node]}\n" for k, node in zip(segments, nodes, strict=True)]
+    return format_rows(numbers, formats)
+
+
+def write_samples(law: QuaternionLaw, options: Options) -> dict[str, Blocks]:
     """The table as an exporter gives it."""
-    return {".csv": format_samples(law, options.rate)}
+    return {".csv": format_samples(law, options.rate, options.most)}
 
 
 def _quote(label: str) -> str:

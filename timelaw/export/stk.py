@@ -1,12 +1,15 @@
 """STK's attitude files (.a): quaternions, scalar last, and angular velocity in body axes in deg/s."""
 
-import io
+from itertools import chain
 
 import numpy as np
 
 from timelaw.export.exporter import Exporter, Options
 from timelaw.export.samples import list_instants
+from timelaw.export.text_rows import format_table
+from timelaw.files import Blocks
 from timelaw.motion import QuaternionLaw
+from timelaw.numerics.array import Array
 
 HEAD = """\
 stk.v.11.0
@@ -22,16 +25,17 @@ AttitudeTimeQuatAngVels
 MONTHS = ("Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec")  # in any locale
 
 
-def write_stk(law: QuaternionLaw, options: Options) -> dict[str, str]:
+def write_stk(law: QuaternionLaw, options: Options) -> dict[str, Blocks]:
     """AttitudeTimeQuatAngVels: t, q1 q2 q3 q4 with the scalar last, ω in body axes."""
-    t, epoch = list_instants(law, options.rate), options.epoch
+    times, epoch = list_instants(law, options.rate), options.epoch
     day = f"{epoch.day} {MONTHS[epoch.month - 1]} {epoch.year} {epoch:%H:%M:%S}.{epoch.microsecond:06d}"
-    text = io.StringIO()
-    text.write(HEAD.format(count=len(t), epoch=day))
-    rows = np.column_stack([t, np.roll(law(t), -1, axis=1), np.degrees(law(t, 1))])
-    np.savetxt(text, rows + 0.0, fmt="%.15e")
-    text.write("END Attitude\n")
-    return {".a": text.getvalue()}
+    head, end = HEAD.format(count=len(times), epoch=day), "END Attitude\n"
+
+    def tabulate(t: Array) -> Array:
+        q, omega = law.evaluate(t, (0, 1))
+        return np.column_stack([t, np.roll(q, -1, axis=1), np.degrees(omega)])
+
+    return {".a": Blocks(lambda: chain([head], format_table(times, tabulate, "%.15e"), [end]))}
 
 
 STK = Exporter(

@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from math import comb
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -90,7 +91,7 @@ class CurveForm:
         """X_k (3) for k = 1 … `highest`: ω = X_1/hD, α = X_2/(hD)², jerk = X_3/(hD)³, snap = X_4/(hD)⁴."""
         known = self._numerators
         for k in range(len(known), highest):
-            found = self._derive_vector(k)
+            found = derive_turning(self.derivatives, k)
             if k:
                 found = [part * _raise(self._powers, k) for part in found]
             for i in range(k):
@@ -133,24 +134,11 @@ class CurveForm:
         turned = product(product(conjugate(q), [0.0, *vector]), q)[1:]
         return [part * self.duration for part in turned]
 
-    def _derive_vector(self, order: int) -> Vector:
-        """The k-th derivative of N; v(a, b) = -v(b, a)."""
-        terms = []
-        for i in range((order + 2) // 2):
-            weight = 2.0 * (comb(order, i) - (comb(order, i - 1) if i else 0))
-            parts = _turn(self.derivatives[i], self.derivatives[order + 1 - i])
-            terms.append([part * weight for part in parts])
-        return [sum(parts[1:], parts[0]) for parts in zip(*terms, strict=True)]
-
     @cached_property
     def _squares(self) -> list[PolynomialStack]:
         """D and its derivatives."""
         q = self.derivatives
-        found = [self.square]
-        for order in range(1, len(q) - 1):
-            terms = [dot4(q[i], q[order - i]) * float(comb(order, i)) for i in range(order + 1)]
-            found.append(sum(terms[1:], terms[0]))
-        return found
+        return [self.square, *(derive_square(q, order) for order in range(1, len(q) - 1))]
 
     @cached_property
     def _powers(self) -> dict[int, PolynomialStack]:
@@ -185,7 +173,22 @@ def _raise(known: dict[int, PolynomialStack], exponent: int) -> PolynomialStack:
     return known[exponent]
 
 
-def _turn(p: Quaternion, q: Quaternion) -> Vector:
+def derive_turning(q: Sequence[Any], order: int) -> Vector:
+    """The k-th derivative of N from Q and its derivatives, polynomials or values; v(a, b) = -v(b, a)."""
+    terms = []
+    for i in range((order + 2) // 2):
+        weight = 2.0 * (comb(order, i) - (comb(order, i - 1) if i else 0))
+        terms.append([part * weight for part in _turn(q[i], q[order + 1 - i])])
+    return [sum(parts[1:], parts[0]) for parts in zip(*terms, strict=True)]
+
+
+def derive_square(q: Sequence[Any], order: int) -> Any:
+    """The k-th derivative of D from Q and its derivatives, polynomials or values."""
+    terms = [dot4(q[i], q[order - i]) * float(comb(order, i)) for i in range(order + 1)]
+    return sum(terms[1:], terms[0])
+
+
+def _turn(p: Sequence[Any], q: Sequence[Any]) -> Vector:
     """v(p, q)."""
     across = cross(q[1:], p[1:])
     return [p[0] * q[i + 1] + q[0] * p[i + 1] * -1.0 + across[i] for i in range(3)]

@@ -11,11 +11,10 @@ from math import comb
 
 import numpy as np
 
-from timelaw.motion.curve_form import CurveForm, Index
+from timelaw.motion.curve_form import CurveForm, Index, derive_square, derive_turning
 from timelaw.numerics.array import Array, freeze
 from timelaw.numerics.bernstein import differentiate, evaluate
 from timelaw.numerics.polynomial import PolynomialStack
-from timelaw.numerics.quaternion import conjugate, multiply
 
 HIGHEST = 4  # derivatives of Q: snap needs so many
 QUADRATURE = 24  # nodes
@@ -39,14 +38,12 @@ class QuaternionCurve:
         """
         with np.errstate(divide="ignore", invalid="ignore"):
             q = _derive(self._level, np.array(self.duration), np.asarray(u), order)
-            if order == 0:
-                return np.array(q[0] / np.linalg.norm(q[0], axis=-1, keepdims=True))
-            return _find_rates(q)[-1]
+            return np.moveaxis(find_rates(q)[order], 0, -1).copy()
 
     def squares(self, u: Array, order: int) -> list[Array]:
         """D and its first derivatives (m,) in time at u (m,), of Q over the power of two."""
         q = _derive(self._level, np.array(self.duration), np.asarray(u), order)
-        return [_sum_products(q, k) for k in range(order + 1)]
+        return [derive_square(q, k) for k in range(order + 1)]
 
     @cached_property
     def exponent(self) -> int:
@@ -83,7 +80,8 @@ class CurveStack:
     def _find_rates(self, rows: Index, u: Array) -> Array:
         """Of the pieces in some rows (n,) at u = t/h (n, k): (4, n, k, 3)."""
         with np.errstate(divide="ignore", invalid="ignore"):
-            return np.array(_find_rates(_derive(self.control[rows], self.duration[rows], u, HIGHEST)))
+            q = _derive(self.control[rows], self.duration[rows], u, HIGHEST)
+            return np.moveaxis(np.array(find_rates(q)[1:]), 1, -1)
 
     @cached_property
     def form(self) -> CurveForm:
@@ -122,40 +120,28 @@ def _level(control: Array) -> Array:
     return np.asarray(np.ldexp(control, -exponent))
 
 
-def _derive(control: Array, duration: Array, u: Array, highest: int) -> list[Array]:
-    """Q (..., m, 4) and its derivatives in time at u (..., m)."""
+def differentiate_curves(control: Array, duration: Array, order: int) -> Array:
+    """Control points (..., 4, n+1) of the k-th derivative in time of curves (..., d+1, 4)."""
     columns = np.swapaxes(control, -1, -2)
-    found = []
-    for order in range(highest + 1):
-        points = differentiate(columns, order) / duration[..., None, None] ** order
-        found.append(evaluate(points[..., None, :, :], u[..., None]))
-    return found
+    return np.asarray(differentiate(columns, order) / duration[..., None, None] ** order)
 
 
-def _find_rates(q: Sequence[Array]) -> list[Array]:
-    """ω, α, … (..., 3) from Q and its derivatives.
+def _derive(control: Array, duration: Array, u: Array, highest: int) -> list[Array]:
+    """Q (4, ..., m) and its derivatives in time at u (..., m)."""
+    points = (differentiate_curves(control, duration, order) for order in range(highest + 1))
+    return [evaluate(np.moveaxis(own, -2, 0)[..., None, :], u) for own in points]
+
+
+def find_rates(q: Sequence[Array]) -> list[Array]:
+    """Orientation (4, ...), ω, α, … (3, ...) from Q (4, ...) and its derivatives.
 
     The derivatives of N = ω D by Leibniz' rule, solved for the highest of ω.
     """
-    square = [_sum_products(q, k) for k in range(len(q) - 1)]
-    rates: list[Array] = []
+    square = [derive_square(q, k) for k in range(max(len(q) - 1, 1))]
+    found = [q[0] / np.sqrt(square[0])]
     for k in range(len(q) - 1):
-        rate = 2 * _derive_vector(q, k)
-        for i, lower in enumerate(rates):
-            rate = rate - comb(k, i) * lower * square[k - i][..., None]
-        rates.append(rate / square[0][..., None])
-    return rates
-
-
-def _derive_vector(q: Sequence[Array], order: int) -> Array:
-    """The k-th derivative (m, 3) of v(Q, Q')."""
-    return sum(
-        (comb(order, i) * multiply(conjugate(q[i]), q[order - i + 1])[..., 1:] for i in range(order + 1)),
-        np.zeros(3),
-    )
-
-
-def _sum_products(q: Sequence[Array], order: int) -> Array:
-    """The k-th derivative (m,) of Q·Q."""
-    terms = (comb(order, i) * np.sum(q[i] * q[order - i], axis=-1) for i in range(order + 1))
-    return np.asarray(sum(terms))
+        rate = np.array(derive_turning(q, k))
+        for i, lower in enumerate(found[1:]):
+            rate -= lower * (square[k - i] * float(comb(k, i)))
+        found.append(rate / square[0])
+    return found

@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -15,6 +16,9 @@ from timelaw.motion.segment import MAX_ORDER, Edges, Quantity, Segment, group_by
 from timelaw.numerics.array import Array, freeze
 from timelaw.numerics.ball import Ball, enclose_direction
 from timelaw.numerics.quaternion import rotation_matrix
+
+if TYPE_CHECKING:
+    from timelaw.motion.evaluation import PieceTable
 
 
 @dataclass(frozen=True)
@@ -67,13 +71,26 @@ class QuaternionLaw:
         Raises:
             ValueError: t (...) outside [0, duration], or an order other than 0 to 4.
         """
-        if order not in range(MAX_ORDER + 1):
-            raise ValueError(f"order {order}; 0 (q), 1 (ω), 2 (α), 3 (jerk) or 4 (snap) is needed")
+        return self.evaluate(t, (order,), side)[0]
+
+    def evaluate(self, t: ArrayLike, orders: Sequence[int], side: Side = "right") -> tuple[Array, ...]:
+        """What calls give for these orders, in one pass; memory is the results and a few thousand instants.
+
+        Raises:
+            ValueError: t (...) outside [0, duration], or an order other than 0 to 4.
+        """
+        for order in orders:
+            if order not in range(MAX_ORDER + 1):
+                raise ValueError(f"order {order}; 0 (q), 1 (ω), 2 (α), 3 (jerk) or 4 (snap) is needed")
         t = np.asarray(t, dtype=float)
-        value = np.empty((*t.shape, 4 if order == 0 else 3))
-        for segment, here, tau in self._find(t, side):
-            value[here] = segment(tau, order, side)
-        return value
+        values = self._pieces.evaluate(t.reshape(-1), orders, side)
+        return tuple(values[order].reshape(*t.shape, 3 if order else 4) for order in orders)
+
+    @cached_property
+    def _pieces(self) -> "PieceTable":
+        from timelaw.motion.evaluation import PieceTable  # a proof needs no values
+
+        return PieceTable.of(self.segments)
 
     def place(self, t: ArrayLike, order: int = 0, side: Side = "right") -> Array:
         """The origin's place, velocity, acceleration, jerk (..., 3) [m, s] in the world for order 0 to 3.

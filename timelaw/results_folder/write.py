@@ -19,7 +19,7 @@ from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 
 from timelaw.errors import Fault, InputError
-from timelaw.files import read_umask
+from timelaw.files import Content, read_umask, write_content
 from timelaw.interrupts import finish_work
 from timelaw.results_folder.carry import catch_up, link_tree
 from timelaw.results_folder.locks import hold, hold_new
@@ -29,7 +29,7 @@ from timelaw.results_folder.one_by_one import complete, has_journal, write_journ
 from timelaw.results_folder.repair import repair_held, repair_inside
 from timelaw.results_folder.swap import swap_folders
 
-Contents = Mapping[str, str | bytes]
+Contents = Mapping[str, Content]
 FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)  # no other way of writing helps
 
 
@@ -188,11 +188,8 @@ def _write_whole(folder: Path, files: Contents) -> None:
         OSError: one cannot be written; it is named.
     """
     for name, content in files.items():
-        data = content if isinstance(content, bytes) else content.encode("utf-8", errors="replace")
         try:
             with (folder / name).open("wb") as file:
-                file.write(data)
-                file.flush()
-                os.fsync(file.fileno())
+                write_content(file, content)
         except OSError as error:
             raise OSError(error.errno, error.strerror, str(folder / name)) from None
