@@ -9,8 +9,11 @@ from numpy.typing import NDArray
 
 from timelaw.easing.profile import Piece, Profile
 from timelaw.numerics.array import Array
+from timelaw.numerics.bernstein import evaluate
 from timelaw.numerics.polynomial import PolynomialStack
 from timelaw.numerics.state_form import derive
+
+TOGETHER = 500  # profiles that are sampled at once
 
 
 @dataclass(frozen=True)
@@ -51,6 +54,29 @@ def stack_profiles(profiles: Sequence[Profile]) -> list[PieceStack]:
         own, at = [pieces[number] for number in numbers], np.array(numbers)
         stacks.append(PieceStack(at, leg[at], start[at], end[at], *_stack(own)))
     return stacks
+
+
+def sample_profiles(profiles: Sequence[Profile], tau: Array, order: int) -> Array:
+    """d^k φ/dt^k (n, m) of many profiles at the same τ (m,), at a break from the right."""
+    value = np.empty((len(profiles), len(tau)))
+    for first in range(0, len(profiles), TOGETHER):
+        own = profiles[first : first + TOGETHER]
+        value[first : first + len(own)] = _sample(own, tau, order)
+    return value
+
+
+def _sample(profiles: Sequence[Profile], tau: Array, order: int) -> Array:
+    counts = [len(profile.pieces) for profile in profiles]
+    found = [profile.find_pieces(tau, "right") for profile in profiles]
+    piece = np.array([at for at, _ in found]) + (np.cumsum(counts) - counts)[:, None]
+    u, value = np.array([part for _, part in found]), np.empty((len(profiles), len(tau)))
+    row = np.full(sum(counts), -1)
+    for stack in stack_profiles(profiles):
+        row[:] = -1
+        row[stack.piece] = np.arange(len(stack.piece))
+        here = row[piece] >= 0
+        value[here] = evaluate(stack.derivative(order).control[row[piece[here]]], u[here])
+    return value
 
 
 def _stack(pieces: Sequence[Piece]) -> tuple[Array, Array, Array]:
