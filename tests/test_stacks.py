@@ -207,7 +207,7 @@ def test_peaks_of_all_arcs_are_those_of_each_alone_and_of_their_values(limits, b
 
 
 def test_edges_of_all_arcs_are_their_own_rates():
-    law = make_arcs({"velocity": 1.0}, BODY, None)
+    law, (nodes, weights) = make_arcs({"velocity": 1.0}, BODY, None), np.polynomial.legendre.leggauss(20)
     for segment, edges in zip(law.segments, law.edges, strict=True):
         for k in range(1, 5):
             np.testing.assert_allclose(edges.sides[k - 1, 0], segment(np.zeros(1), k, "right")[0], rtol=1e-12)
@@ -215,11 +215,13 @@ def test_edges_of_all_arcs_are_their_own_rates():
             breaks = segment.breaks[1:-1]
             jumps = segment(breaks, k, "right") - segment(breaks, k, "left")
             np.testing.assert_allclose(edges.jumps[k - 1], jumps, rtol=1e-9, atol=1e-9)
-            means = [rate.integrate_square() ** 0.5 for rate in segment.rates(k)]
+            means = [
+                (weights / 2 @ rate((nodes + 1) / 2) ** 2) ** 0.5 for rate in segment.profile.derivative(k)
+            ]
             assert edges.sums[k - 1] == pytest.approx(
                 np.dot(means, [p.duration for p in segment.profile.pieces]), rel=1e-12
             )
-        single = max(enclose_peaks(segment.rates(2)), key=lambda peak: peak.lower)
+        single = max(enclose_peaks(segment.profile.derivative(2)), key=lambda peak: peak.lower)
         assert segment.find_largest([segment])[1] == pytest.approx(single.lower, rel=1e-12)
 
 

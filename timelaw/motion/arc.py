@@ -14,7 +14,12 @@ from timelaw.limits import Bounds, Limit, list_rows
 from timelaw.limits.bounds import read_bounds
 from timelaw.limits.formula import Vector
 from timelaw.limits.row_peaks import RowPeak, enclose_rows
-from timelaw.motion.arc_edges import find_largest_rates, join_angles, list_edges
+from timelaw.motion.arc_edges import (
+    find_largest_rates,
+    integrate_square_rates,
+    join_angles,
+    list_edges,
+)
 from timelaw.motion.moving import LegDocument, Moving
 from timelaw.motion.schema import (
     BRIEFEST,
@@ -28,7 +33,6 @@ from timelaw.motion.schema import (
 from timelaw.motion.segment import MAX_ORDER, Discrepancy, Edges, Quantity
 from timelaw.numerics.array import Array
 from timelaw.numerics.ball import enclose_direction
-from timelaw.numerics.polynomial import Polynomial
 from timelaw.numerics.quaternion import from_axis_angle, multiply, normalise, rotation_between
 
 
@@ -110,9 +114,10 @@ class Arc(Moving):
         """The same axis all along."""
         return self.direction
 
-    def rates(self, order: int) -> list[Polynomial]:
-        """The k-th time derivative of the travelled angle, a polynomial on each piece."""
-        return self.profile.derivative(order)
+    @classmethod
+    def integrate_squares(cls, segments: Sequence["Arc"], order: int) -> float:
+        """That of the k-th derivative of φ, exact but for rounding."""
+        return integrate_square_rates([s.profile for s in segments], order)
 
     @classmethod
     def list_edges(cls, segments: Sequence["Arc"]) -> list[Edges]:

@@ -55,3 +55,9 @@ def find_largest_rates(profiles: Sequence[Profile]) -> Array:
     """The largest first to fourth derivative (4,) of any."""
     stacks = stack_profiles(profiles)
     return np.array([max(find_largest(s.derivative(order).control) for s in stacks) for order in RATES])
+
+
+def integrate_square_rates(profiles: Sequence[Profile], order: int) -> float:
+    """Σ ∫ (φ^(k))² dt over all of them."""
+    stacks = stack_profiles(profiles)
+    return sum(float(s.durations @ integrate_square(s.derivative(order).control)) for s in stacks)

@@ -14,7 +14,6 @@ from timelaw.limits.row_peaks import RowPeak
 from timelaw.motion.schema import Duration, Number, Part, Text, Vector3, Vector4
 from timelaw.motion.segment import RATES, Discrepancy, Edges, Quantity
 from timelaw.numerics.array import Array
-from timelaw.numerics.polynomial import Polynomial
 from timelaw.numerics.quaternion import normalise
 
 
@@ -96,9 +95,10 @@ class Dwell:
         """Nothing turns."""
         return
 
-    def rates(self, order: int) -> list[Polynomial]:  # noqa: ARG002
+    @classmethod
+    def integrate_squares(cls, segments: Sequence["Dwell"], order: int) -> float:  # noqa: ARG003
         """Nothing moves."""
-        return [Polynomial(np.zeros(1))]
+        return 0.0
 
     @classmethod
     def list_edges(cls, segments: Sequence["Dwell"]) -> list[Edges]:

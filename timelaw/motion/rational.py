@@ -110,12 +110,14 @@ class Rational(Moving):
         """It turns about another axis at every instant."""
         return
 
-    def rates(self, order: int) -> list[Quotient]:
-        """The size of the k-th rate on each piece."""
-        found: dict[int, Quotient] = {}
-        for stack in stack_curves(self.pieces):
-            found.update(zip(stack.piece.tolist(), stack.form.measure_rate(order), strict=True))
-        return [found[k] for k in range(len(self.pieces))]
+    @classmethod
+    def integrate_squares(cls, segments: Sequence["Rational"], order: int) -> float:
+        """By quadrature on each piece."""
+        total = 0.0
+        for stack in stack_curves([piece for s in segments for piece in s.pieces]):
+            squares = [rate.integrate_square() for rate in stack.form.measure_rate(order)]
+            total += float(stack.duration @ np.array(squares))
+        return total
 
     @classmethod
     def list_edges(cls, segments: Sequence["Rational"]) -> list[Edges]:

@@ -143,8 +143,9 @@ class Segment(Protocol):
         """The unit axis (3,) it turns about there; None where it does not turn."""
         ...
 
-    def rates(self, order: int) -> Sequence[Function]:
-        """On each piece a function whose size is that of the k-th rate."""
+    @classmethod
+    def integrate_squares(cls, segments: Sequence[Self], order: int) -> float:
+        """∫ |k-th rate|² dt over many segments of the kind."""
         ...
 
     @classmethod
