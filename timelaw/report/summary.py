@@ -13,7 +13,6 @@ from timelaw.limits import Demand
 from timelaw.nlp import Solution
 from timelaw.objectives import EFFORTS
 from timelaw.pipeline import Certified, Design
-from timelaw.requirements.route_limit import find_route_limit
 from timelaw.time_law.baselines import QUINTIC, time_quintic
 
 
@@ -59,8 +58,7 @@ class RunRow:
 def list_law_rows(design: Design) -> list[LawRow]:
     """The optimised law first, then the baselines."""
     slowest = _time_slowest(design)
-    least = find_route_limit(design.route, design.requirements)
-    return [_row(entry, slowest, least) for entry in design.laws]
+    return [_row(entry, slowest, design.limit) for entry in design.laws]
 
 
 def _time_slowest(design: Design) -> float:
