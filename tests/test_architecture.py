@@ -36,7 +36,7 @@ HOMES = {
 }
 
 FACE = ("__version__",)  # what the package itself holds
-MOST_TO_READ = 67  # modules
+MOST_TO_READ = 71  # modules
 
 
 def modules():
@@ -162,6 +162,15 @@ def test_verify_loads_nothing_of_how_a_law_is_found(loaded_by_verify):
     parts = {name.split(".")[1] for name in loaded_by_verify if name.startswith("timelaw.")}
     assert not parts & (DESIGN_WING | {"compose", "pipeline"})
     assert not {"ruamel", "casadi", "matplotlib"} & {name.split(".")[0] for name in loaded_by_verify}
+
+
+def test_a_law_is_verified_without_what_only_shows_or_designs():
+    """To the last line that it prints: no module of the problem, none of tables, no solver."""
+    law = ROOT.parent / "results" / "paper-24-cell" / "law.json"
+    run = f"from timelaw.cli.app import run_command\nassert run_command(['verify', {str(law)!r}]) == 0"
+    names = loaded(run)
+    assert not names & {f"timelaw.{part}" for part in DESIGN_WING | {"compose", "pipeline", "report"}}
+    assert not {"ruamel", "rich", "casadi", "scipy", "matplotlib"} & {name.split(".")[0] for name in names}
 
 
 def test_what_verify_stands_on_can_be_read_in_an_afternoon(loaded_by_verify):

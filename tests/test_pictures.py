@@ -18,7 +18,7 @@ from timelaw.report.figures.style import AXIS_COLOURS, THEME
 from timelaw.report.pictures.frames import list_visits
 from timelaw.report.pictures.registry import PICTURES
 from timelaw.report.pictures.render import SUFFIXES, embed_picture, render_picture
-from timelaw.report.pictures.sampling import choose_step, list_marks, sample_times
+from timelaw.report.pictures.sampling import choose_step, find_last_shown, list_marks, sample_times
 from timelaw.report.pictures.stereographic import refine
 from timelaw.report.pictures.three_sphere import WHOLE, choose_projection, lift, list_edges, list_vertices
 from timelaw.report.pictures.view import View, list_faces, size_box, split_sides
@@ -72,6 +72,27 @@ def test_traces_are_where_the_axes_point_in_the_printed_colours(law):
         np.testing.assert_allclose(drawn, expected, atol=1e-12)
     red, blue, green = ([int(c[k : k + 2], 16) for k in (1, 3, 5)] for c in AXIS_COLOURS)
     assert [np.argmax(c) for c in (red, green, blue)] == [0, 1, 2]
+
+
+def test_of_very_many_legs_the_first_are_drawn_and_said(law):
+    rounds = 50
+    segments = [
+        replace(leg, start_time=leg.start_time + k * law.duration)
+        for k in range(rounds)
+        for leg in law.segments
+    ]
+    many = replace(law, segments=tuple(segments))
+    last = many.legs[499].end_time
+    assert find_last_shown(many) == pytest.approx(last, rel=1e-15)
+    assert find_last_shown(law) == law.duration
+    figures = {name: PICTURES[name].draw(many) for name in ("traces", "sphere")}
+    for name, figure in figures.items():
+        assert any("the first 500 of 550 legs" in text.get_text() for text in figure.axes[0].texts)
+        assert "the first 500 of 550 legs" in PICTURES[name].describe(many)
+        assert "the first" not in PICTURES[name].describe(law)
+    times = sample_times(many)
+    (drawn,) = {len(line.get_xdata()) for line in lines_of(figures["traces"].axes[0], AXIS_COLOURS[0])}
+    assert drawn == np.count_nonzero(times <= find_last_shown(many)) < len(times)
 
 
 def test_near_and_far_parts_are_the_whole():

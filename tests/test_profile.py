@@ -13,6 +13,7 @@ from tests.cases import demands
 from timelaw.easing import Profile
 from timelaw.easing.double_s_easing import cut_double_s, fit_double_s
 from timelaw.easing.joining import join_pieces
+from timelaw.easing.piece_stack import sample_profiles
 from timelaw.easing.polynomial_basis import PolynomialBasis
 from timelaw.easing.profile import Piece
 from timelaw.easing.spline_basis import SplineBasis
@@ -221,3 +222,17 @@ def test_the_profile_is_within_its_limits_and_no_slower_than_rounding():
     )
     timings = fit_double_s(legs)
     assert sum(t.duration for t in timings) == pytest.approx(0.8110100926, rel=1e-9)
+
+
+def test_many_profiles_are_sampled_as_each_alone():
+    rng = np.random.default_rng(8)
+    profiles = []
+    for count in (1, 2, 5, 3):
+        shapes = [(1 + (count + k) % 3, 1 + (2 * count + k) % 4) for k in range(count)]
+        pieces = [Piece(rng.uniform(0.1, 2), rng.normal(size=c), rng.normal(size=m)) for c, m in shapes]
+        profiles.append(Profile(tuple(pieces)))
+    tau = np.unique(np.concatenate([np.linspace(0, 1, 101), *(profile.breaks for profile in profiles)]))
+    for order in range(4):
+        found = sample_profiles(profiles, tau, order)
+        for profile, values in zip(profiles, found, strict=True):
+            np.testing.assert_array_equal(values, profile(tau, order))

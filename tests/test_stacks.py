@@ -2,17 +2,22 @@
 
 from dataclasses import replace
 from fractions import Fraction
+from itertools import pairwise
 from math import comb
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
+from tests.exact.documents import arc, document, piece
 from tests.test_rational import make_curve, make_law
 from timelaw.law_file import from_document
+from timelaw.limits import make_limits
 from timelaw.motion.curve_form import CurveForm
 from timelaw.motion.quaternion_curve import HIGHEST, TOGETHER, stack_curves
+from timelaw.motion.rational_quantities import list_quantities
 from timelaw.numerics.ball import Ball
+from timelaw.numerics.function import enclose_peaks
 from timelaw.numerics.polynomial import Polynomial, PolynomialStack
 
 BODY = {"inertia": [[12.0, 0.5, -1.0], [0.5, 10.0, 0.3], [-1.0, 0.3, 8.0]]}
@@ -139,19 +144,85 @@ def make_many(limits, body):
 @pytest.mark.parametrize("body", [BODY, WHEELS])
 def test_quantities_of_all_segments_are_those_of_each_alone(limits, body):
     law = make_many(limits, body)
-    for segment, together in zip(law.segments, law.list_quantities(law.segments), strict=True):
-        (alone,) = law.list_quantities([segment])
-        assert [label for label, _ in together] == [label for label, _ in alone]
-        for (_, one), (_, other) in zip(together, alone, strict=True):
-            assert (one.row, one.start, one.end) == (other.row, other.start, other.end)
-            for many, few in ((one.value.num, other.value.num), (one.value.den, other.value.den)):
-                assert np.max(np.abs(many.control - few.control)) <= many.error + few.error
-                assert many.error == pytest.approx(few.error, rel=1e-12)
-    own = {label: quantity.row.bound for label, quantity in law.list_quantities(law.segments)[3]}
-    own = {label: bound for label, bound in own.items() if label.endswith(" on 3–4")}
-    assert own == {"velocity on 3–4": 36.0} | {
+    general = make_limits(law.limits, law.body)
+    for own in ([general] * 9, [make_limits(s.limits, law.body) for s in law.segments]):
+        found = list_quantities(law.segments, own, law.total_momentum)
+        for segment, limited, together in zip(law.segments, own, found, strict=True):
+            (alone,) = list_quantities([segment], [limited], law.total_momentum)
+            for one, other in zip(together, alone, strict=True):
+                assert (one.row, one.start, one.end) == (other.row, other.start, other.end)
+                for many, few in ((one.value.num, other.value.num), (one.value.den, other.value.den)):
+                    assert np.max(np.abs(many.control - few.control)) <= many.error + few.error
+                    assert many.error == pytest.approx(few.error, rel=1e-12)
+    bounds = {label: peak.row.bound for label, peak in law.find_peaks()[3] if label.endswith(" on 3–4")}
+    assert bounds == {"velocity on 3–4": 36.0} | {
         f"jerk {a} on 3–4": b for a, b in zip("xyz", (5.0, 6.0, 10.0), strict=True)
     }
+
+
+def make_arcs(limits, body, own):
+    """Arcs about skew axes: pieces of several shapes mixed on one leg, every third with limits of its own."""
+    rng, segments = np.random.default_rng(11), []
+    for k in range(7):
+        shapes = [(1 + (k + p) % 3, 1 + (2 * k + p) % 5) for p in range(1 + k)]
+        pieces = [
+            piece(rng.uniform(0.1, 2), rng.normal(size=c).tolist(), rng.normal(size=m).tolist())
+            for c, m in shapes
+        ]
+        bounds = own if k % 3 == 0 else None
+        segments.append(arc(str(k), str(k + 1), pieces, axis=rng.normal(size=3).tolist(), limits=bounds))
+    return from_document(document(segments, limits, body=body))
+
+
+ARC_LIMITS = [
+    {"velocity": 1.0, "snap": [10.0] * 3},
+    {"torque": [9.0] * 3, "momentum": 9.0, "jerk": 3.0},
+    {"torque": 9.0, "acceleration": 1.0},
+]
+
+
+@pytest.mark.parametrize("limits", ARC_LIMITS)
+@pytest.mark.parametrize("body", [BODY, WHEELS])
+def test_peaks_of_all_arcs_are_those_of_each_alone_and_of_their_values(limits, body):
+    law = make_arcs(limits, body, {"velocity": [1.0, 2.0, 3.0]})
+    for segment, together in zip(law.segments, law.find_peaks(), strict=True):
+        (alone,) = replace(law, segments=(segment,)).find_peaks()
+        assert [label for label, _ in together] == [label for label, _ in alone]
+        assert sum(label.endswith(f" on {segment.name}") for label, _ in together) == 3 * bool(segment.limits)
+        tau = np.concatenate([np.linspace(a, b, 101) for a, b in pairwise(segment.breaks)])
+        values = [{k: segment.profile(tau, k, side) for k in range(1, 5)} for side in ("left", "right")]
+        for (_, peak), (_, other) in zip(together, alone, strict=True):
+            assert (peak.lower, peak.upper, peak.at) == pytest.approx((other.lower, other.upper, other.at))
+            factors = {k: float(v) for k, v in vars(peak.row).items() if isinstance(v, Ball)}
+            row = replace(peak.row, **factors)
+            size = max(np.max(np.abs(row.value(rates))) for rates in values)
+            assert size <= peak.upper * (1 + 1e-12)
+            assert size == pytest.approx(peak.upper, rel=1e-3)
+            assert peak.lower <= peak.upper <= peak.lower * (1 + 1e-11)
+            sides = [
+                {k: segment.profile(peak.at, k, side) for k in range(1, 5)} for side in ("left", "right")
+            ]
+            reached = max(abs(float(row.value(rates))) for rates in sides)
+            assert reached == pytest.approx(peak.lower, rel=1e-6)
+
+
+def test_edges_of_all_arcs_are_their_own_rates():
+    law, (nodes, weights) = make_arcs({"velocity": 1.0}, BODY, None), np.polynomial.legendre.leggauss(20)
+    for segment, edges in zip(law.segments, law.edges, strict=True):
+        for k in range(1, 5):
+            np.testing.assert_allclose(edges.sides[k - 1, 0], segment(np.zeros(1), k, "right")[0], rtol=1e-12)
+            np.testing.assert_allclose(edges.sides[k - 1, 1], segment(np.ones(1), k, "left")[0], rtol=1e-12)
+            breaks = segment.breaks[1:-1]
+            jumps = segment(breaks, k, "right") - segment(breaks, k, "left")
+            np.testing.assert_allclose(edges.jumps[k - 1], jumps, rtol=1e-9, atol=1e-9)
+            means = [
+                (weights / 2 @ rate((nodes + 1) / 2) ** 2) ** 0.5 for rate in segment.profile.derivative(k)
+            ]
+            assert edges.sums[k - 1] == pytest.approx(
+                np.dot(means, [p.duration for p in segment.profile.pieces]), rel=1e-12
+            )
+        single = max(enclose_peaks(segment.profile.derivative(2)), key=lambda peak: peak.lower)
+        assert segment.find_largest([segment])[1] == pytest.approx(single.lower, rel=1e-12)
 
 
 def test_edges_and_largest_rates_of_all_segments_are_those_of_each_alone():

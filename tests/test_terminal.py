@@ -11,6 +11,7 @@ import pytest
 from tests.cases import PROBLEMS
 from timelaw.cli.app import run_command
 from timelaw.cli.console import show_progress
+from timelaw.cli.table import format_table
 from timelaw.progress import count_steps, read_steps
 
 LAW = PROBLEMS.parent / "results" / "paper-24-cell" / "law.json"
@@ -96,3 +97,16 @@ def test_a_long_tour_is_summed_up_unless_all_is_asked_for(capsys):
         in short
     )
     assert "more" not in whole.split("least time")[0]
+
+
+def test_a_table_lines_up_whatever_its_labels_hold():
+    rows = [["1–12", "1.5"], ["東京", "-20"], ["e\u0301", "3"], ["a\nb\x1b[2J", "[red]4[/red]"]]
+    lines = format_table(["leg", "value"], rows).splitlines()
+    assert lines[1:] == [
+        " leg             value",
+        " " + "─" * 21,
+        " 1–12              1.5",
+        " 東京              -20",
+        " e\u0301                   3",
+        " a b [2J  [red]4[/red]",
+    ]

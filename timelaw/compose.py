@@ -86,9 +86,9 @@ def compose_law(
 ) -> QuaternionLaw:
     """Lay a time law along its route; `continuity` is what was asked of it."""
     segments: list[Segment] = []
+    visits = [*(leg.start for leg in route.legs), route.legs[-1].end]
     for kind, index, start, duration in time_law.intervals():
         if kind == "dwell":
-            visits = [*(leg.start for leg in route.legs), route.legs[-1].end]
             segments.append(Dwell(route.nodes[index].label, start, duration, visits[index]))
             continue
         leg, timing = route.legs[index], time_law.timings[index]

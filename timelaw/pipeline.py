@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from pathlib import Path
 
 from timelaw.certificate import Certificate, certify
@@ -21,6 +22,7 @@ from timelaw.problem.route import Orientations
 from timelaw.progress import Progress, tell
 from timelaw.requirements import Requirements, resolve_requirements
 from timelaw.requirements.given_times import list_budgets
+from timelaw.requirements.route_limit import find_route_limit
 from timelaw.route import Route, lay_route
 from timelaw.through.passage import Through
 from timelaw.time_law import BASELINES, TimeLaw
@@ -65,6 +67,11 @@ class Design(Layout):
     def stopped_early(self) -> bool:
         """Whether the time limit ended the search for the law."""
         return self.solution.stopped_early or (self.through is not None and self.through.stopped_early)
+
+    @cached_property
+    def limit(self) -> float:
+        """A time [s] that no law on its arcs beats."""
+        return find_route_limit(self.route, self.requirements)
 
     @property
     def laws(self) -> tuple[Certified, ...]:

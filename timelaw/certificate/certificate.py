@@ -141,5 +141,5 @@ def _as_doubles(data: Any) -> Any:
     if isinstance(data, dict):
         return {k: _as_doubles(v) for k, v in data.items()}
     if isinstance(data, list):
-        return [_as_doubles(v) for v in data]
+        return [v if isinstance(v, float) else _as_doubles(v) for v in data]
     return float(data) if isinstance(data, int) and not isinstance(data, bool) else data

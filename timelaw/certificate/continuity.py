@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from timelaw.certificate.jump_scale import JUMP_TOLERANCE, JumpScale, list_scales
 from timelaw.motion import QuaternionLaw, Segment
@@ -80,8 +81,8 @@ def check_continuity(law: QuaternionLaw) -> Continuity:
     both sides.
     """
     scales = list_scales(law)
-    nodes = tuple(_node(law, index, scales) for index in range(len(law.segments) + 1))
-    inside = {k: _largest_inside(law.edges, k, scales[k]) for k in RATES}
+    nodes = _list_nodes(law, scales)
+    inside = _find_largest_inside(law.edges, scales)
     order = min([_class(inside), *(node.continuity for node in nodes)])
     worst = {k: max([inside[k], *(node.parts[k] for node in nodes)]) for k in range(1, order + 1)}
     return Continuity(
@@ -89,32 +90,61 @@ def check_continuity(law: QuaternionLaw) -> Continuity:
     )
 
 
-def _largest_inside(edges: Sequence[Edges], order: int, scales: Sequence[JumpScale]) -> float:
-    """The largest jump of a rate inside segments, in parts of its scale."""
-    parts = [scale.relate(e.jumps[order - 1]) for e, scale in zip(edges, scales, strict=True)]
-    return float(np.max(np.concatenate(parts), initial=0.0))
+def _find_largest_inside(edges: Sequence[Edges], scales: Mapping[int, JumpScale]) -> dict[int, float]:
+    """The largest jump of each rate inside segments, in parts of its scale."""
+    jumps = np.concatenate([e.jumps for e in edges], axis=1)
+    segment = np.repeat(np.arange(len(edges)), [e.jumps.shape[1] for e in edges])
+    parts = {k: scale.relate(jumps[k - 1], segment) for k, scale in scales.items()}
+    return {k: float(np.max(found, initial=0.0)) for k, found in parts.items()}
 
 
-def _node(law: QuaternionLaw, index: int, scales: Mapping[int, Sequence[JumpScale]]) -> NodeReport:
+def _list_nodes(law: QuaternionLaw, scales: Mapping[int, JumpScale]) -> tuple[NodeReport, ...]:
+    sides = np.stack([edges.sides for edges in law.edges], axis=2)  # (4, 2, n, 3)
+    first, last = (np.stack([law.outside(k, end) for k in RATES])[:, None] for end in (0, -1))
+    before, after = np.concatenate([first, sides[:, 1]], axis=1), np.concatenate([sides[:, 0], last], axis=1)
+    jumps = after - before
+    count = len(law.segments)
+    neighbours = np.maximum(np.arange(count + 1) - 1, 0), np.minimum(np.arange(count + 1), count - 1)
+    parts = np.stack([_compare_sides(scales[k], jumps[k - 1], neighbours, np.minimum) for k in RATES])
+    moving = _compare_sides(scales[1], before[0], neighbours, np.maximum) > JUMP_TOLERANCE
+    sizes = np.linalg.norm(jumps, axis=-1)
+    return tuple(
+        _report_node(law, index, before[:, index], after[:, index], *own)
+        for index, own in enumerate(zip(sizes.T.tolist(), parts.T.tolist(), moving.tolist(), strict=True))
+    )
+
+
+def _compare_sides(
+    scale: JumpScale, rates: Array, neighbours: tuple[NDArray[np.int64], ...], choose: np.ufunc
+) -> Array:
+    """Rates (n+1, 3) at the nodes in parts (n+1,) of their scale before or after, as is chosen."""
+    return np.asarray(choose(*(scale.relate(rates, segment) for segment in neighbours)))
+
+
+def _report_node(
+    law: QuaternionLaw,
+    index: int,
+    before: Array,
+    after: Array,
+    sizes: Sequence[float],
+    parts: Sequence[float],
+    moving: bool,
+) -> NodeReport:
     last = law.segments[index - 1] if index else None
     following = law.segments[index] if index < len(law.segments) else None
-    before = {k: law.edges[index - 1].sides[k - 1, -1] if last else law.outside(k, 0) for k in RATES}
-    after = {k: law.edges[index].sides[k - 1, 0] if following else law.outside(k, -1) for k in RATES}
-    jumps = {k: after[k] - before[k] for k in RATES}
-    sides = {k: scales[k][max(index - 1, 0) : index + 1] for k in RATES}
-    parts = {k: float(min(scale.relate(jumps[k]) for scale in sides[k])) for k in RATES}
-    moving = any(float(scale.relate(before[1])) > JUMP_TOLERANCE for scale in sides[1])
     kind, turn = _kind(last, following, moving=moving)
+    found = dict(zip(RATES, parts, strict=True))
+    names = RATES.values()
     return NodeReport(
         law.labels[index],
         float(law.times[index]),
         kind,
         turn,
-        {name: before[k] for k, name in RATES.items()},
-        {name: after[k] for k, name in RATES.items()},
-        {name: float(np.linalg.norm(jumps[k])) for k, name in RATES.items()},
-        parts,
-        _class(parts),
+        dict(zip(names, before, strict=True)),
+        dict(zip(names, after, strict=True)),
+        dict(zip(names, sizes, strict=True)),
+        found,
+        _class(found),
         moving,
     )
 

@@ -8,6 +8,7 @@ import numpy as np
 from timelaw.certificate.continuity import Continuity
 from timelaw.limits import make_limits
 from timelaw.motion import QuaternionLaw
+from timelaw.motion.segment import group_by_kind
 
 NODES = 24  # of Gauss-Legendre's rule on each piece
 
@@ -33,8 +34,5 @@ def measure_effort(law: QuaternionLaw, continuity: Continuity, order: int) -> fl
     """
     if continuity.order < order - 1:
         return inf
-    return sum(
-        rate.integrate_square() * float(width) * segment.duration
-        for segment in law.segments
-        for rate, width in zip(segment.rates(order), np.diff(segment.breaks), strict=True)
-    )
+    kinds = group_by_kind(law.segments).items()
+    return sum(kind.integrate_squares([law.segments[k] for k in numbers], order) for kind, numbers in kinds)

@@ -6,9 +6,10 @@ A peak would do instead of what is sustained, if nobody could hide a jump behind
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from timelaw.limits.row import ORDERS
-from timelaw.motion import QuaternionLaw, Segment
+from timelaw.motion import QuaternionLaw
 from timelaw.motion.segment import RATES
 from timelaw.numerics.array import Array
 
@@ -21,17 +22,22 @@ LOOSE = 1e3  # times what is sustained: a limit above that says nothing about ju
 
 @dataclass(frozen=True)
 class JumpScale:
-    """Bounds on one rate of a segment, () on its norm or (3,) by axis; all of them count."""
+    """Bounds on one rate of each segment: on its norm (n,), and by axis (n, 3) where there are any."""
 
-    bounds: tuple[Array, ...]
+    norm: Array
+    axes: Array | None
 
-    def relate(self, jumps: Array) -> Array:
-        """Jumps (..., 3) in parts (...) of the bound that is the tightest for them."""
-        return np.asarray(np.max([_divide(jumps, bound) for bound in self.bounds], axis=0))
+    def relate(self, jumps: Array, segment: NDArray[np.int64]) -> Array:
+        """Jumps (m, 3) in these segments (m,), in parts (m,) of the bound that is the tightest for each."""
+        parts = _divide(np.linalg.norm(jumps, axis=-1), self.norm[segment])
+        if self.axes is not None:
+            by_axis = _divide(np.abs(jumps), self.axes[segment])
+            parts = np.maximum(parts, np.max(by_axis, axis=-1))
+        return parts
 
 
-def list_scales(law: QuaternionLaw) -> dict[int, list[JumpScale]]:
-    """For each order of a rate the scale of each segment.
+def list_scales(law: QuaternionLaw) -> dict[int, JumpScale]:
+    """For each order of a rate the scales of all segments.
 
     The limits of that order, the law's and the segment's own, unless they are far above what the motion
     sustains of the rate; where there is none, that itself: the largest mean size over a leg, at least the
@@ -39,45 +45,59 @@ def list_scales(law: QuaternionLaw) -> dict[int, list[JumpScale]]:
     Where rates are read off rounded quaternions, never less than what these resolve.
     """
     names = {order: name for name, order in ORDERS.items()}
-    slowest = _sustain(law, 1)
-    found = {}
-    for k in RATES:
-        sustained = np.array(max(_sustain(law, k), slowest / np.power(law.duration, k - 1.0)))
-        found[k] = [
-            _choose(law, segment, names[k], sustained, find_floor(law, k, 1.0, segment.fineness))
-            for segment in law.segments
-        ]
-    return found
+    mean_time = find_mean_time(law)
+    fineness = np.array([segment.fineness for segment in law.segments])
+    means = dict(zip(RATES, _sustain(law, BRIEF * mean_time).tolist(), strict=True))
+    return {
+        k: _choose(
+            law,
+            names[k],
+            max(means[k], float(means[1] / np.power(law.duration, k - 1.0))),
+            find_floor(mean_time, k, 1.0, fineness),
+        )
+        for k in RATES
+    }
 
 
-def find_floor(law: QuaternionLaw, order: int, size: float, fineness: float = FINE) -> float:
+def find_floor(mean_time: float, order: int, size: float, fineness: Array | float = FINE) -> Array:
     """The scale of which the tolerance is what rounding shows of the k-th derivative of numbers of a size.
 
-    As if every leg were a mean one: a brief one may be a spike.
+    As if every leg were one of the mean time [s]: a brief one may be a spike.
     """
-    return ROUNDING * size * (min(fineness, FINE) / find_mean_time(law)) ** order / JUMP_TOLERANCE
+    fine = np.minimum(fineness, FINE) / mean_time
+    return np.asarray(ROUNDING * size * fine**order / JUMP_TOLERANCE)
 
 
 def find_mean_time(law: QuaternionLaw) -> float:
     """Of a leg [s]; the whole duration where there is none."""
-    return float(np.mean([leg.duration for leg in law.legs])) if law.legs else law.duration
+    legs = [leg.duration for leg in law.legs]
+    return float(np.mean(legs)) if legs else law.duration
 
 
-def _choose(law: QuaternionLaw, segment: Segment, name: str, sustained: Array, floor: float) -> JumpScale:
-    given = tuple(np.array(part[name]) for part in (law.limits, segment.limits) if name in part)
-    bounds = (*given, LOOSE * sustained) if given else (sustained,)
-    return JumpScale(tuple(np.maximum(bound, floor) for bound in bounds))
+def _choose(law: QuaternionLaw, name: str, sustained: float, floor: Array) -> JumpScale:
+    """The tightest of the law's bound and each segment's own, none below its floor (n,)."""
+    norm = np.full(len(law.segments), np.inf)
+    axes = np.full((len(law.segments), 3), np.inf)
+    for number, segment in enumerate(law.segments):
+        for given in (law.limits.get(name), segment.limits.get(name)):
+            if given is not None:
+                bounds = axes if isinstance(given, tuple) else norm
+                bounds[number] = np.minimum(bounds[number], given)
+    limited = np.isfinite(norm) | np.isfinite(axes[:, 0])
+    norm = np.minimum(norm, np.where(limited, LOOSE * sustained, sustained))
+    by_axis = np.maximum(axes, floor[:, None]) if np.any(np.isfinite(axes)) else None
+    return JumpScale(np.maximum(norm, floor), by_axis)
 
 
-def _sustain(law: QuaternionLaw, order: int) -> float:
-    """The largest mean size of a rate over a leg."""
-    brief = BRIEF * find_mean_time(law)
-    legs = [(s.duration, edges) for s, edges in zip(law.segments, law.edges, strict=True) if s.moves]
-    return max((float(edges.sums[order - 1]) / max(time, brief) for time, edges in legs), default=0.0)
+def _sustain(law: QuaternionLaw, brief: float) -> Array:
+    """The largest mean size of each rate (4,) over a leg, one shorter than `brief` [s] counted as that."""
+    legs = [(s.duration, edges.sums) for s, edges in zip(law.segments, law.edges, strict=True) if s.moves]
+    if not legs:
+        return np.zeros(len(RATES))
+    times = np.maximum([time for time, _ in legs], brief)
+    return np.asarray(np.max(np.array([sums for _, sums in legs]) / times[:, None], axis=0))
 
 
-def _divide(jumps: Array, bound: Array) -> Array:
-    size = np.abs(jumps) if bound.ndim else np.linalg.norm(jumps, axis=-1)
+def _divide(size: Array, bound: Array) -> Array:
     with np.errstate(divide="ignore", invalid="ignore"):
-        parts = np.where(size == 0, 0.0, size / bound)
-    return np.max(parts, axis=-1) if bound.ndim else np.asarray(parts)
+        return np.where(size == 0, 0.0, size / bound)

@@ -8,10 +8,8 @@ from typing import Any
 import numpy as np
 
 from timelaw.limits import BoundRow
+from timelaw.limits.row_peaks import RowPeak
 from timelaw.motion import QuaternionLaw, Segment
-from timelaw.motion.segment import Quantity
-from timelaw.numerics.extrema import Peak
-from timelaw.numerics.function import enclose_peaks
 
 ROUNDING = 1 + 2e-15  # of the last few operations, the root among them
 
@@ -83,29 +81,23 @@ class LegPeak:
 
 def find_leg_peaks(law: QuaternionLaw) -> tuple[LegPeak, ...]:
     """For each segment and each limit there where the limit is nearest; segments in their order."""
-    places: dict[tuple[int, str], list[Quantity]] = defaultdict(list)
-    for index, labelled in enumerate(law.list_quantities(law.segments)):
-        for label, quantity in labelled:
-            places[index, label].append(quantity)
-    tops = iter(enclose_peaks([quantity.value for found in places.values() for quantity in found]))
-    return tuple(
-        _join_pieces(label, index, law.segments[index], found, [next(tops) for _ in found])
-        for (index, label), found in places.items()
-    )
+    found = []
+    for index, labelled in enumerate(law.find_peaks()):
+        rows: dict[str, list[RowPeak]] = {}
+        for label, peak in labelled:
+            rows.setdefault(label, []).append(peak)
+        found += [_join_rows(label, index, law.segments[index], peaks) for label, peaks in rows.items()]
+    return tuple(found)
 
 
-def _join_pieces(
-    label: str, index: int, segment: Segment, places: Sequence[Quantity], tops: Sequence[Peak]
-) -> LegPeak:
-    """The largest value of one limit's row; a square is given back as what it is a square of."""
-    highest = max(range(len(tops)), key=lambda i: tops[i].lower)
-    quantity, top = places[highest], tops[highest]
-    row = quantity.row
-    tau = float(quantity.start + top.at * (quantity.end - quantity.start))
+def _join_rows(label: str, index: int, segment: Segment, peaks: Sequence[RowPeak]) -> LegPeak:
+    """The largest value of one limit's rows; a square is given back as what it is a square of."""
+    top = max(peaks, key=lambda peak: peak.lower)
+    size = top.row.size
     # NumPy's maximum of what is not a number is not a number
-    upper = float(np.max([row.size(top.upper) for top in tops])) * ROUNDING
-    time = segment.start_time + segment.duration * tau
-    return LegPeak(label, index, segment.name, row, row.size(top.lower), upper, time)
+    upper = float(np.max([size(peak.upper) for peak in peaks])) * ROUNDING
+    time = segment.start_time + segment.duration * top.at
+    return LegPeak(label, index, segment.name, top.row, size(top.lower), upper, time)
 
 
 def check_limits(peaks: Sequence[LegPeak]) -> tuple[LimitCheck, ...]:

@@ -106,7 +106,7 @@ def _scale(law: QuaternionLaw, order: int, size: float) -> float:
         weights = (np.diff(leg.even_breaks)[:, None] * WEIGHTS / 2).ravel()
         part = min(leg.duration / (BRIEF * leg_time), 1.0)  # a brief leg may be a spike
         means.append(part * float(weights @ np.linalg.norm(_places(leg, order), axis=1)))
-    floor = find_floor(law, order, COUNTED * size)
+    floor = float(find_floor(leg_time, order, COUNTED * size))
     sustained = max(*means, floor)
     bounds = [np.min(s[LIMITS[order]]) for s in _all_limits(law) if LIMITS.get(order) in s]
     return max(float(min([LOOSE * sustained, *bounds])), floor) if bounds else sustained

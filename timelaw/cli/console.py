@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from timelaw.cli.last_word import print_object
+from timelaw.cli.table import format_table
 from timelaw.errors import TimelawError
 from timelaw.interrupts import finish_work
 from timelaw.progress import Progress, read_steps
@@ -17,7 +18,6 @@ if TYPE_CHECKING:
     from timelaw.certificate import Certificate
 
 RESULTS = Path("results")  # where results go, in a folder of their name
-UNBOUNDED = 100_000  # characters; no table of ours is wider
 
 
 def print_json(data: dict[str, Any]) -> None:
@@ -99,24 +99,7 @@ def _make_steps_column() -> Any:
 
 def print_table(headings: list[str], rows: list[list[str]]) -> None:
     """A table on stderr: the first column to the left, numbers to the right."""
-    if _speech.quiet:
-        return
-    from rich import box
-    from rich.console import Console
-    from rich.table import Table
-    from rich.text import Text
-
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 1), collapse_padding=True)
-    for index, heading in enumerate(headings):
-        table.add_column(Text(heading), justify="right" if index else "left", no_wrap=True)
-    for row in rows:
-        table.add_row(*map(Text, row))  # labels may hold what markup looks like
-    # as wide as it is: a terminal folds what is too long for it, and nothing is cut
-    console = Console(stderr=True, highlight=False)
-    widest = console.measure(table, options=console.options.update(max_width=UNBOUNDED)).maximum
-    Console(stderr=True, highlight=False, width=max(widest, console.width), height=console.height).print(
-        table
-    )
+    say(format_table(headings, rows))
 
 
 def print_limits(certificate: "Certificate", *, degrees: bool = False) -> None:

@@ -119,13 +119,7 @@ class Profile:
             ValueError: τ outside [0, 1].
         """
         tau = np.asarray(tau, dtype=float)
-        if np.any(~((tau >= 0) & (tau <= 1))):
-            raise ValueError("τ outside [0, 1]")
-        at = locate(self.breaks, tau, side)
-        # a piece may be shorter than times are told apart: its ends are known by their breaks
-        durations = np.array([piece.duration for piece in self.pieces])
-        u = np.clip((tau * self.duration - self.times[at]) / durations[at], 0.0, 1.0)
-        u = np.where(tau <= self.breaks[at], 0.0, np.where(tau >= self.breaks[at + 1], 1.0, u))
+        at, u = self.find_pieces(tau, side)
         rates, value = self.derivative(order), np.empty(tau.shape)
         for group in self._groups:
             row = np.full(len(self.pieces), -1)
@@ -134,6 +128,20 @@ class Profile:
             control = np.stack([rates[i].control for i in group.places])
             value[here] = evaluate(control[row[at[here]]], u[here])
         return value
+
+    def find_pieces(self, tau: Array, side: Side) -> tuple[NDArray[np.int64], Array]:
+        """Which piece each τ (...) is in, and the part of it that has passed (...).
+
+        Raises:
+            ValueError: τ outside [0, 1].
+        """
+        if np.any(~((tau >= 0) & (tau <= 1))):
+            raise ValueError("τ outside [0, 1]")
+        at = locate(self.breaks, tau, side)
+        # a piece may be shorter than times are told apart: its ends are known by their breaks
+        durations = np.array([piece.duration for piece in self.pieces])
+        u = np.clip((tau * self.duration - self.times[at]) / durations[at], 0.0, 1.0)
+        return at, np.where(tau <= self.breaks[at], 0.0, np.where(tau >= self.breaks[at + 1], 1.0, u))
 
     def end(self, order: int) -> float:
         """d^k φ/dt^k at the last instant."""

@@ -1,20 +1,25 @@
 """Segments of kind `arc`: a great-circle arc run through by a profile of the angle travelled."""
 
-from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from itertools import pairwise
 from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
 from pydantic import FailFast, Field
 
+from timelaw.easing.piece_stack import stack_profiles
 from timelaw.easing.profile import Piece, Profile, Side
 from timelaw.limits import Bounds, Limit, list_rows
 from timelaw.limits.bounds import read_bounds
 from timelaw.limits.formula import Vector
-from timelaw.limits.polynomials import expand_rows
+from timelaw.limits.row_peaks import RowPeak, enclose_rows
+from timelaw.motion.arc_edges import (
+    find_largest_rates,
+    integrate_square_rates,
+    join_angles,
+    list_edges,
+)
 from timelaw.motion.moving import LegDocument, Moving
 from timelaw.motion.schema import (
     BRIEFEST,
@@ -25,12 +30,9 @@ from timelaw.motion.schema import (
     Part,
     Vector3,
 )
-from timelaw.motion.segment import MAX_ORDER, RATES, Discrepancy, Edges, Quantity
+from timelaw.motion.segment import MAX_ORDER, Discrepancy, Edges, Quantity
 from timelaw.numerics.array import Array
 from timelaw.numerics.ball import enclose_direction
-from timelaw.numerics.bernstein import integrate_square
-from timelaw.numerics.function import enclose_peaks
-from timelaw.numerics.polynomial import Polynomial
 from timelaw.numerics.quaternion import from_axis_angle, multiply, normalise, rotation_between
 
 
@@ -82,6 +84,11 @@ class Arc(Moving):
         """The unit axis (3,)."""
         return normalise(self.axis)
 
+    @cached_property
+    def enclosed_axis(self) -> Array:
+        """The same (3,) as balls, for proofs."""
+        return enclose_direction(self.axis)
+
     @property
     def breaks(self) -> Array:
         """Where the pieces of the profile meet (p+1,), in τ."""
@@ -107,66 +114,41 @@ class Arc(Moving):
         """The same axis all along."""
         return self.direction
 
-    def rates(self, order: int) -> list[Polynomial]:
-        """The k-th time derivative of the travelled angle, a polynomial on each piece."""
-        return self.profile.derivative(order)
+    @classmethod
+    def integrate_squares(cls, segments: Sequence["Arc"], order: int) -> float:
+        """That of the k-th derivative of φ, exact but for rounding."""
+        return integrate_square_rates([s.profile for s in segments], order)
 
     @classmethod
     def list_edges(cls, segments: Sequence["Arc"]) -> list[Edges]:
         """From the rates of φ."""
-        return [s._find_edges() for s in segments]
-
-    def _find_edges(self) -> Edges:
-        rates = [self.rates(order) for order in RATES]
-        ends = np.array([[found[end].control[end] for end in (0, -1)] for found in rates])
-        gaps = np.array([self._gaps(order) for order in RATES])
-        sums = np.array([self._sum_rate(order) for order in RATES])
-        return Edges(ends[..., None] * self.direction, gaps[..., None] * self.direction, sums)
+        directions = np.array([s.direction for s in segments])
+        return list_edges([s.profile for s in segments], directions)
 
     @classmethod
     def find_largest(cls, segments: Sequence["Arc"]) -> Array:
         """Those of φ."""
-        largest = np.zeros(len(RATES))
-        places = [(k, rate) for s in segments for k, order in enumerate(RATES) for rate in s.rates(order)]
-        for (k, _), peak in zip(places, enclose_peaks([rate for _, rate in places]), strict=True):
-            largest[k] = max(largest[k], peak.lower)
-        return largest
+        return find_largest_rates([s.profile for s in segments])
 
     @classmethod
-    def list_quantities(
+    def find_peaks(
         cls,
         segments: Sequence["Arc"],
         limits: Sequence[Sequence[Limit]],
         total: Vector,  # noqa: ARG003
-    ) -> list[list[Quantity]]:
-        """Rows about the axis, as polynomials in time on each piece."""
-        return [list(s._list_rows(own)) for s, own in zip(segments, limits, strict=True)]
+    ) -> list[list[RowPeak]]:
+        """Those of rows about the axis, polynomials in time on each piece."""
+        rows = [
+            list_rows(own, s.enclosed_axis) if own else () for s, own in zip(segments, limits, strict=True)
+        ]
+        if not any(rows):
+            return [[] for _ in segments]
+        return enclose_rows(rows, stack_profiles([s.profile for s in segments]))
 
-    def _list_rows(self, limits: Sequence[Limit]) -> Iterator[Quantity]:
-        breaks = self.breaks.tolist()
-        rows = list_rows(limits, enclose_direction(self.axis))
-        for row, piece, polynomial in expand_rows(rows, self.rates):
-            yield Quantity(row, polynomial, breaks[piece], breaks[piece + 1])
-
-    def _gaps(self, order: int) -> Array:
-        """Jumps (p-1,) of a derivative of φ."""
-        rates = self.rates(order)
-        return np.array([b.control[0] - a.control[-1] for a, b in pairwise(rates)])
-
-    def _sum_rate(self, order: int) -> float:
-        """Σ h √(mean of φ^(k)² on the piece)."""
-        pieces = zip(self.profile.pieces, self.rates(order), strict=True)
-        by_degree: dict[int, list[tuple[float, Array]]] = defaultdict(list)
-        for piece, rate in pieces:
-            by_degree[rate.degree].append((piece.duration, rate.control))
-        return sum(
-            float(np.array([h for h, _ in group]) @ np.sqrt(integrate_square([c for _, c in group])))
-            for group in by_degree.values()
-        )
-
-    def own_quantities(self) -> Iterator[Quantity]:
+    @classmethod
+    def find_own_peaks(cls, segments: Sequence["Arc"]) -> list[list[RowPeak]]:
         """None."""
-        yield from ()
+        return [[] for _ in segments]
 
     def list_deviations(self, bound: float = 0.0) -> Iterator[Quantity]:  # noqa: ARG002
         """It stays on its arc."""
@@ -178,17 +160,13 @@ class Arc(Moving):
 
     def start_error(self) -> float:
         """|φ(0)| [rad]."""
-        return abs(float(self.rates(0)[0].control[0]))
+        return abs(float(self.profile.pieces[0].state[0]))
 
     def end_error(self) -> float:
         """|φ(0)|, the gaps of φ between pieces, |φ - θ| at the end, and from where θ leads to `end` [rad]."""
-        angles = self.rates(0)
-        own = self.start_error() + float(np.sum(np.abs(self._gaps(0))))
-        rounding = sum(2 * angle.error for angle in angles)
-        missed = abs(float(angles[-1].control[-1]) - self.angle) + rotation_between(
-            self._turn(np.array(self.angle)), self.end
-        )
-        return own + missed + rounding
+        joined = join_angles(self.profile)
+        missed = abs(joined.end - self.angle) + rotation_between(self._turn(np.array(self.angle)), self.end)
+        return self.start_error() + joined.gaps + missed + 2 * joined.rounding
 
     def own_checks(self) -> Iterator[Discrepancy]:
         """Whether the pieces' durations add up."""

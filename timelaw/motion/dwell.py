@@ -10,10 +10,10 @@ import numpy as np
 from timelaw.easing.profile import Side
 from timelaw.limits import Bounds, Limit
 from timelaw.limits.formula import Vector
+from timelaw.limits.row_peaks import RowPeak
 from timelaw.motion.schema import Duration, Number, Part, Text, Vector3, Vector4
 from timelaw.motion.segment import RATES, Discrepancy, Edges, Quantity
 from timelaw.numerics.array import Array
-from timelaw.numerics.polynomial import Polynomial
 from timelaw.numerics.quaternion import normalise
 
 
@@ -95,9 +95,10 @@ class Dwell:
         """Nothing turns."""
         return
 
-    def rates(self, order: int) -> list[Polynomial]:  # noqa: ARG002
+    @classmethod
+    def integrate_squares(cls, segments: Sequence["Dwell"], order: int) -> float:  # noqa: ARG003
         """Nothing moves."""
-        return [Polynomial(np.zeros(1))]
+        return 0.0
 
     @classmethod
     def list_edges(cls, segments: Sequence["Dwell"]) -> list[Edges]:
@@ -111,18 +112,19 @@ class Dwell:
         return np.zeros(len(RATES))
 
     @classmethod
-    def list_quantities(
+    def find_peaks(
         cls,
         segments: Sequence["Dwell"],
         limits: Sequence[Sequence[Limit]],  # noqa: ARG003
         total: Vector,  # noqa: ARG003
-    ) -> list[list[Quantity]]:
+    ) -> list[list[RowPeak]]:
         """Nothing at rest is limited."""
         return [[] for _ in segments]
 
-    def own_quantities(self) -> Iterator[Quantity]:
+    @classmethod
+    def find_own_peaks(cls, segments: Sequence["Dwell"]) -> list[list[RowPeak]]:
         """None."""
-        yield from ()
+        return [[] for _ in segments]
 
     def list_deviations(self, bound: float = 0.0) -> Iterator[Quantity]:  # noqa: ARG002
         """It stays on its arc."""

@@ -1,6 +1,6 @@
 """The motion of the body as a function of time: orientation, matrices, and rates in body axes."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -12,7 +12,8 @@ from timelaw.easing.profile import Side, locate
 from timelaw.limits import Bounds, make_limits
 from timelaw.limits.body import RigidBody
 from timelaw.limits.formula import Vector, product
-from timelaw.motion.segment import MAX_ORDER, Edges, Quantity, Segment, group_by_kind
+from timelaw.limits.row_peaks import RowPeak
+from timelaw.motion.segment import MAX_ORDER, Edges, Segment, group_by_kind
 from timelaw.numerics.array import Array, freeze
 from timelaw.numerics.ball import Ball, enclose_direction
 from timelaw.numerics.quaternion import rotation_matrix
@@ -159,18 +160,19 @@ class QuaternionLaw:
         found = [kind.find_largest([self.segments[k] for k in numbers]) for kind, numbers in kinds]
         return np.asarray(np.max(found, axis=0))
 
-    def list_quantities(self, segments: Sequence[Segment]) -> list[list[tuple[str, Quantity]]]:
-        """What is limited on each of them, each with a label that names a limit of that segment alone so."""
-        found: list[list[tuple[str, Quantity]]] = [[] for _ in segments]
+    def find_peaks(self) -> list[list[tuple[str, RowPeak]]]:
+        """Where each segment comes nearest to its limits; a label names a limit of that segment alone so."""
+        found: list[list[tuple[str, RowPeak]]] = [[] for _ in self.segments]
         general = make_limits(self.limits, self.body)
-        for kind, numbers in group_by_kind(segments).items():
-            members = [segments[k] for k in numbers]
+        for kind, numbers in group_by_kind(self.segments).items():
+            members = [self.segments[k] for k in numbers]
             own = [make_limits(segment.limits, self.body) for segment in members]
-            for limits, place in (([general] * len(members), ""), (own, " on {}")):
-                bounded = kind.list_quantities(members, limits, self.total_momentum)
-                for k, quantities in zip(numbers, bounded, strict=True):
-                    suffix = place.format(segments[k].name)
-                    found[k] += [(quantity.row.label + suffix, quantity) for quantity in quantities]
-        for segment, labelled in zip(segments, found, strict=True):
-            labelled += [(quantity.row.label, quantity) for quantity in segment.own_quantities()]
+            for peaks, place in (
+                (kind.find_peaks(members, [general] * len(members), self.total_momentum), ""),
+                (kind.find_peaks(members, own, self.total_momentum), " on {}"),
+                (kind.find_own_peaks(members), ""),
+            ):
+                for k, rows in zip(numbers, peaks, strict=True):
+                    suffix = place.format(self.segments[k].name)
+                    found[k] += [(peak.row.label + suffix, peak) for peak in rows]
         return found

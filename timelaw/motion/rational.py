@@ -3,11 +3,10 @@
 The body's origin may move with it, along P/|Q|², P a polynomial too.
 """
 
-from collections import defaultdict
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from itertools import chain, pairwise
+from itertools import pairwise
 from math import fsum
 from typing import Any, ClassVar
 
@@ -17,14 +16,15 @@ from timelaw.easing.profile import Side, locate
 from timelaw.limits import Bounds, Limit
 from timelaw.limits.bounds import read_bounds
 from timelaw.limits.formula import Vector
-from timelaw.limits.registry import list_formula_rows
+from timelaw.limits.row_peaks import RowPeak
 from timelaw.motion.deviation import DEVIATION, DeviationRow, list_deviations
 from timelaw.motion.moving import Moving
-from timelaw.motion.origin_curve import OriginCurve, derive_origins
+from timelaw.motion.origin_curve import OriginCurve
 from timelaw.motion.quaternion_curve import QuaternionCurve, stack_curves
 from timelaw.motion.rational_document import RationalDocument
+from timelaw.motion.rational_quantities import list_quantities, number_pieces
 from timelaw.motion.schema import Part
-from timelaw.motion.segment import RATES, Discrepancy, Edges, Quantity
+from timelaw.motion.segment import RATES, Discrepancy, Edges, Quantity, enclose_quantities
 from timelaw.numerics.array import Array
 from timelaw.numerics.quaternion import rotation_between
 from timelaw.numerics.quotient import Quotient
@@ -110,12 +110,14 @@ class Rational(Moving):
         """It turns about another axis at every instant."""
         return
 
-    def rates(self, order: int) -> list[Quotient]:
-        """The size of the k-th rate on each piece."""
-        found: dict[int, Quotient] = {}
-        for stack in stack_curves(self.pieces):
-            found.update(zip(stack.piece.tolist(), stack.form.measure_rate(order), strict=True))
-        return [found[k] for k in range(len(self.pieces))]
+    @classmethod
+    def integrate_squares(cls, segments: Sequence["Rational"], order: int) -> float:
+        """By quadrature on each piece."""
+        total = 0.0
+        for stack in stack_curves([piece for s in segments for piece in s.pieces]):
+            squares = [rate.integrate_square() for rate in stack.form.measure_rate(order)]
+            total += float(stack.duration @ np.array(squares))
+        return total
 
     @classmethod
     def list_edges(cls, segments: Sequence["Rational"]) -> list[Edges]:
@@ -125,7 +127,7 @@ class Rational(Moving):
         for stack in stack_curves(pieces):
             ends[:, stack.piece], sums[:, stack.piece] = stack.find_ends(), stack.sum_rates()
         found = []
-        for own in _number_pieces(segments):
+        for own in number_pieces(segments):
             jumps = ends[:, own][:, 1:, 0] - ends[:, own][:, :-1, 1]
             sides = np.stack([ends[:, own.start, 0], ends[:, own.stop - 1, 1]], axis=1)
             found.append(Edges(sides, jumps, np.array([fsum(terms) for terms in sums[:, own]])))
@@ -142,29 +144,21 @@ class Rational(Moving):
         return largest
 
     @classmethod
-    def list_quantities(
+    def find_peaks(
         cls, segments: Sequence["Rational"], limits: Sequence[Sequence[Limit]], total: Vector
-    ) -> list[list[Quantity]]:
-        """Every limit's own formula, on parts of pieces where D is even.
+    ) -> list[list[RowPeak]]:
+        """Those of every limit's own formula."""
+        return enclose_quantities(list_quantities(segments, limits, total))
 
-        Limits that differ in their bounds alone have the same numerators.
-        """
-        alike: dict[tuple[tuple[str, int], ...], list[int]] = defaultdict(list)
-        for k, own in enumerate(limits):
-            alike[tuple((limit.name, np.ndim(limit.bounds)) for limit in own)].append(k)
-        found: list[list[Quantity]] = [[] for _ in segments]
-        for forms, numbers in alike.items():
-            if forms:
-                bounded = _bound([segments[k] for k in numbers], [limits[k] for k in numbers], total)
-                for k, quantities in zip(numbers, bounded, strict=True):
-                    found[k] = quantities
-        return found
-
-    def own_quantities(self) -> Iterator[Quantity]:
-        """How far it leaves the arc of its leg, where that is limited."""
-        bound = self.limits.get(DEVIATION)
-        if isinstance(bound, float):
-            yield from self.list_deviations(bound)
+    @classmethod
+    def find_own_peaks(cls, segments: Sequence["Rational"]) -> list[list[RowPeak]]:
+        """How far each leaves the arc of its leg, where that is limited."""
+        bounds = [s.limits.get(DEVIATION) for s in segments]
+        limited = [
+            list(s.list_deviations(bound)) if isinstance(bound, float) else []
+            for s, bound in zip(segments, bounds, strict=True)
+        ]
+        return enclose_quantities(limited)
 
     def list_deviations(self, bound: float = np.pi) -> Iterator[Quantity]:
         """The angle [rad] of the body to the arc from `start` to `end`, part by part."""
@@ -220,31 +214,3 @@ class Rational(Moving):
         )
         limits = read_bounds(s.limits)
         return cls(s.origin, s.target, s.start_time, s.duration, start, end, pieces, limits, origins)
-
-
-def _number_pieces(segments: Sequence[Rational]) -> list[slice]:
-    """Where the pieces of each segment are among those of all."""
-    bounds = np.cumsum([0, *(len(s.pieces) for s in segments)]).tolist()
-    return [slice(first, last) for first, last in pairwise(bounds)]
-
-
-def _bound(
-    segments: Sequence[Rational], limits: Sequence[Sequence[Limit]], total: Vector
-) -> list[list[Quantity]]:
-    """Quantities of segments whose limits differ in their bounds alone."""
-    pieces = [piece for s in segments for piece in s.pieces]
-    origins = [origin for s in segments for origin in s.origins]  # of all pieces, or of none
-    times = [pair for s in segments for pair in pairwise(s.breaks.tolist())]
-    rows = [own for s, own in zip(segments, map(list_formula_rows, limits), strict=True) for _ in s.pieces]
-    found: list[list[Quantity]] = [[] for _ in pieces]
-    for stack in stack_curves(pieces):
-        form = stack.form.split()
-        places = [origins[k] for k in stack.piece] if len(origins) == len(pieces) else []
-        moved = derive_origins(places, form) if places else {}
-        values = form.divide_formulas(limits[0], total, moved)
-        parts = zip(stack.piece[form.piece].tolist(), form.start.tolist(), form.end.tolist(), strict=True)
-        for (k, *ends), own in zip(parts, zip(*values, strict=True), strict=True):
-            first, last = times[k]
-            start, end = (first + (last - first) * u for u in ends)
-            found[k] += [Quantity(row, value, start, end) for row, value in zip(rows[k], own, strict=True)]
-    return [list(chain.from_iterable(found[own])) for own in _number_pieces(segments)]

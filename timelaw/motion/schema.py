@@ -51,4 +51,6 @@ def refuse_many(value: Any) -> Any:
 class Part(BaseModel):
     """Unknown keys are left alone: a later version may write more."""
 
-    model_config = ConfigDict(strict=True, extra="ignore")
+    model_config = ConfigDict(
+        strict=True, extra="ignore", defer_build=True
+    )  # of all at once, when one is read

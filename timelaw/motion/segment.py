@@ -5,12 +5,16 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar, Protocol, Self
 
+import numpy as np
+
 from timelaw.easing.profile import Side
 from timelaw.limits import BoundRow, Bounds, Limit
 from timelaw.limits.formula import Vector
+from timelaw.limits.row_peaks import RowPeak
 from timelaw.motion.schema import Part
 from timelaw.numerics.array import Array
-from timelaw.numerics.function import Function
+from timelaw.numerics.extrema import Peak
+from timelaw.numerics.function import Function, enclose_peaks
 
 RATES = {1: "omega", 2: "alpha", 3: "jerk", 4: "snap"}
 MAX_ORDER = max(RATES)  # q, ω, α, jerk and snap are what a law is evaluated for
@@ -139,8 +143,9 @@ class Segment(Protocol):
         """The unit axis (3,) it turns about there; None where it does not turn."""
         ...
 
-    def rates(self, order: int) -> Sequence[Function]:
-        """On each piece a function whose size is that of the k-th rate."""
+    @classmethod
+    def integrate_squares(cls, segments: Sequence[Self], order: int) -> float:
+        """∫ |k-th rate|² dt over many segments of the kind."""
         ...
 
     @classmethod
@@ -154,14 +159,15 @@ class Segment(Protocol):
         ...
 
     @classmethod
-    def list_quantities(
+    def find_peaks(
         cls, segments: Sequence[Self], limits: Sequence[Sequence[Limit]], total: Vector
-    ) -> list[list[Quantity]]:
-        """What each of many segments' limits bound on it, piece by piece; `total` is H (3,) in the world."""
+    ) -> list[list[RowPeak]]:
+        """Where each of many segments comes nearest to its limits; `total` is H (3,) in the world."""
         ...
 
-    def own_quantities(self) -> Iterator[Quantity]:
-        """What those of its own limits bound that only its kind knows."""
+    @classmethod
+    def find_own_peaks(cls, segments: Sequence[Self]) -> list[list[RowPeak]]:
+        """The same of those of its own limits that only its kind knows."""
         ...
 
     def list_deviations(self, bound: float = ...) -> Iterator[Quantity]:
@@ -204,3 +210,24 @@ def group_by_kind(segments: Sequence[Segment]) -> Mapping[type[Segment], list[in
     for number, segment in enumerate(segments):
         found[type(segment)].append(number)
     return found
+
+
+def enclose_quantities(found: Sequence[Sequence[Quantity]]) -> list[list[RowPeak]]:
+    """The peaks of each segment's rows, those of one label joined; all are enclosed together."""
+    tops = iter(enclose_peaks([quantity.value for own in found for quantity in own]))
+    joined = []
+    for own in found:
+        places: dict[str, list[tuple[Quantity, Peak]]] = {}
+        for quantity in own:
+            places.setdefault(quantity.row.label, []).append((quantity, next(tops)))
+        joined.append([_join(parts) for parts in places.values()])
+    return joined
+
+
+def _join(parts: Sequence[tuple[Quantity, Peak]]) -> RowPeak:
+    """Of pieces the first that reaches the highest."""
+    quantity, top = max(parts, key=lambda part: part[1].lower)
+    # NumPy's maximum of what is not a number is not a number
+    upper = float(np.max([peak.upper for _, peak in parts]))
+    at = quantity.start + top.at * (quantity.end - quantity.start)
+    return RowPeak(quantity.row, top.lower, upper, float(at))

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from timelaw.numerics.array import Array
 from timelaw.numerics.bernstein import UNIT_ROUNDOFF, halving_matrix
@@ -29,30 +30,61 @@ class Peak:
     at: float
 
 
-def enclose_polynomials(polynomials: Sequence[Array]) -> list[Peak]:
-    """Enclose max |p| of each polynomial, given by control points (n+1,); in the given order.
+@dataclass(frozen=True)
+class Peaks:
+    """Those of many polynomials, each of the three (m,)."""
 
-    A polynomial with a control point that is not finite has an infinite peak.
-    """
+    lower: Array
+    upper: Array
+    at: Array
+
+    def list_each(self) -> list[Peak]:
+        """One by one."""
+        return list(map(Peak, self.lower.tolist(), self.upper.tolist(), self.at.tolist()))
+
+
+def enclose_polynomials(polynomials: Sequence[Array]) -> list[Peak]:
+    """Enclose max |p| of each polynomial, given by control points (n+1,); in the given order."""
     by_degree: dict[int, list[int]] = defaultdict(list)
     found: dict[int, Peak] = {}
     for index, control in enumerate(polynomials):
-        if np.all(np.isfinite(control)):
-            by_degree[len(control) - 1].append(index)
-        else:
-            found[index] = Peak(float("inf"), float("inf"), 0.0)
-    for degree, indices in by_degree.items():
-        stack = np.stack([polynomials[i] for i in indices])
-        found.update(zip(indices, _branch_and_bound(stack, degree), strict=True))
+        by_degree[len(control)].append(index)
+    for indices in by_degree.values():
+        peaks = enclose_stack(np.stack([polynomials[i] for i in indices]))
+        found.update(zip(indices, peaks.list_each(), strict=True))
     return [found[i] for i in range(len(polynomials))]
 
 
-def _branch_and_bound(stack: Array, degree: int) -> list[Peak]:
-    """Peaks of all rows of `stack` (m, n+1) at once; pieces that cannot hold the peak drop out."""
-    count, rounding = len(stack), 2 * (degree + 2) * UNIT_ROUNDOFF
+def enclose_stack(control: Array) -> Peaks:
+    """Enclose max |p| of each row of control points (m, n+1); infinite where one of them is not finite."""
+    count = len(control)
+    finite = np.flatnonzero(np.all(np.isfinite(control), axis=1))
+    if len(finite) == count:
+        return _branch_and_bound(control, np.arange(count), count)
+    peaks = Peaks(np.full(count, np.inf), np.full(count, np.inf), np.zeros(count))
+    known = _branch_and_bound(control[finite], np.arange(len(finite)), len(finite))
+    for whole, part in ((peaks.lower, known.lower), (peaks.upper, known.upper), (peaks.at, known.at)):
+        whole[finite] = part
+    return peaks
+
+
+def find_largest(control: Array) -> float:
+    """A value that the largest |p| of all rows of control points (m, n+1) takes, within the gap of it."""
+    if not np.all(np.isfinite(control)):
+        return float("inf")
+    return float(_branch_and_bound(control, np.zeros(len(control), dtype=int), 1).lower[0])
+
+
+def _branch_and_bound(stack: Array, owner: NDArray[np.int64], count: int) -> Peaks:
+    """Peaks of `count` sets of rows (m, n+1), `owner` (m,) saying whose each is, all at once.
+
+    Pieces that cannot hold the peak drop out.
+    """
+    degree = stack.shape[1] - 1
+    rounding = 2 * (degree + 2) * UNIT_ROUNDOFF
     lower, upper, at = np.zeros(count), np.zeros(count), np.zeros(count)
-    pieces, owner, error = stack, np.arange(count), np.zeros(count)
-    start, width = np.zeros(count), 1.0
+    pieces, error = stack, np.zeros(len(stack))
+    start, width = np.zeros(len(stack)), 1.0
     for depth in range(DEPTH + 1):
         for column, place in ((0, start), (-1, start + width)):
             value = np.abs(pieces[:, column]) - error
@@ -62,7 +94,7 @@ def _branch_and_bound(stack: Array, degree: int) -> list[Peak]:
         hull = np.max(np.abs(pieces), axis=1)
         # where errors are larger than what halving could still gain, a piece is done
         open_ = hull > np.maximum(lower[owner] * (1 + GAP), FLOOR) + error
-        if depth == DEPTH or np.count_nonzero(open_) > MOST_PIECES * count:
+        if depth == DEPTH or np.count_nonzero(open_) > MOST_PIECES * len(stack):
             open_[:] = False
         np.maximum.at(upper, owner[~open_], (hull + error)[~open_])
         if not np.any(open_):
@@ -73,4 +105,4 @@ def _branch_and_bound(stack: Array, degree: int) -> list[Peak]:
         owner = np.repeat(owner[open_], 2)
         start = np.repeat(start[open_], 2)
         start[1::2] += width
-    return [Peak(float(lo), float(max(lo, up)), float(a)) for lo, up, a in zip(lower, upper, at, strict=True)]
+    return Peaks(lower, np.maximum(lower, upper), at)

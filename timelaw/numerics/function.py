@@ -1,4 +1,4 @@
-"""Functions on [0, 1] whatever their form: what proofs, pictures and efforts ask of them."""
+"""Functions on [0, 1] whatever their form: what proofs and pictures ask of them."""
 
 from collections import defaultdict
 from collections.abc import Sequence
@@ -9,7 +9,7 @@ from timelaw.numerics.extrema import Peak
 
 
 class Function(Protocol):
-    """A function of a form that knows how to be evaluated, integrated and enclosed."""
+    """A function of a form that knows how to be evaluated and enclosed."""
 
     @property
     def degree(self) -> int:
@@ -18,10 +18,6 @@ class Function(Protocol):
 
     def __call__(self, u: Array) -> Array:
         """Values at u (m,)."""
-        ...
-
-    def integrate_square(self) -> float:
-        """∫ f² du over [0, 1]."""
         ...
 
     @classmethod

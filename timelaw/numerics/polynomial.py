@@ -10,7 +10,7 @@ import numpy as np
 
 from timelaw.numerics.array import Array, freeze
 from timelaw.numerics.ball import ABOVE, Ball
-from timelaw.numerics.bernstein import UNIT_ROUNDOFF, elevate, evaluate, halving_matrix, integrate_square
+from timelaw.numerics.bernstein import UNIT_ROUNDOFF, elevate, evaluate, halving_matrix
 from timelaw.numerics.extrema import Peak, enclose_polynomials
 
 SCALAR_ROUNDING = 16 * UNIT_ROUNDOFF  # scalars are powers and quotients, themselves rounded a few times
@@ -101,10 +101,6 @@ class Polynomial:
     def __call__(self, u: Array) -> Array:
         """Values at u (m,)."""
         return evaluate(self.control, u)
-
-    def integrate_square(self) -> float:
-        """∫ p² du over [0, 1]."""
-        return float(integrate_square(self.control))
 
     @classmethod
     def enclose_all(cls, functions: Sequence["Polynomial"]) -> list[Peak]:

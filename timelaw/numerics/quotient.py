@@ -8,6 +8,7 @@ and denominator apart would close in linearly only.
 from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cache
 from math import inf
 
 import numpy as np
@@ -42,7 +43,7 @@ class Quotient:
 
     def integrate_square(self) -> float:
         """∫ f² du over [0, 1], by quadrature."""
-        nodes, weights = np.polynomial.legendre.leggauss(QUADRATURE)
+        nodes, weights = _quadrature()
         return float(weights / 2 @ self((nodes + 1) / 2) ** 2)
 
     @classmethod
@@ -73,6 +74,11 @@ class Quotient:
         peaks = _enclose([f.num for f in functions], [f.den for f in functions], together=True)
         tops = zip(peaks, functions, strict=True)
         return max(_take_root(peak, function.root).lower for peak, function in tops)
+
+
+@cache
+def _quadrature() -> tuple[Array, Array]:
+    return np.polynomial.legendre.leggauss(QUADRATURE)
 
 
 def divide(num: PolynomialStack, den: PolynomialStack, root: int = 1) -> list[Quotient]:

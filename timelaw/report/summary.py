@@ -13,7 +13,7 @@ from timelaw.limits import Demand
 from timelaw.nlp import Solution
 from timelaw.objectives import EFFORTS
 from timelaw.pipeline import Certified, Design
-from timelaw.requirements.route_limit import find_route_limit
+from timelaw.requirements.run_demand import RunDemand
 from timelaw.time_law.baselines import QUINTIC, time_quintic
 
 
@@ -59,8 +59,7 @@ class RunRow:
 def list_law_rows(design: Design) -> list[LawRow]:
     """The optimised law first, then the baselines."""
     slowest = _time_slowest(design)
-    least = find_route_limit(design.route, design.requirements)
-    return [_row(entry, slowest, least) for entry in design.laws]
+    return [_row(entry, slowest, design.limit) for entry in design.laws]
 
 
 def _time_slowest(design: Design) -> float:
@@ -94,11 +93,13 @@ def list_run_rows(design: Design) -> list[RunRow]:
     if len(design.solution.solutions[0].timings) == len(design.route.legs):
         least = sum(run.limit for run in runs)
         return [_run_row(1, design.requirements.demands, least, design.solution.solutions[0])]
-    rows = []
-    for index, solution in enumerate(design.solution.solutions):
-        alike = [run for run, i in zip(runs, design.solution.of_run, strict=True) if i == index]
-        rows.append(_run_row(len(alike), alike[0].demands, alike[0].limit, solution))
-    return rows
+    alike: dict[int, list[RunDemand]] = defaultdict(list)
+    for run, index in zip(runs, design.solution.of_run, strict=True):
+        alike[index].append(run)
+    return [
+        _run_row(len(own), own[0].demands, own[0].limit, design.solution.solutions[index])
+        for index, own in sorted(alike.items())
+    ]
 
 
 def join_alike(runs: Sequence[RunRow]) -> list[RunRow]:

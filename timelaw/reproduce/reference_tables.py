@@ -15,7 +15,6 @@ from timelaw.problem.load import check_problem, load_problem
 from timelaw.problem.source import read
 from timelaw.report import list_law_rows
 from timelaw.reproduce.command import run_main
-from timelaw.requirements.route_limit import find_route_limit
 from timelaw.time_law.baselines import DOUBLE_S, EVERY_STOP, QUINTIC
 from timelaw.time_law.time_law import OPTIMISED_LAW
 
@@ -61,7 +60,7 @@ def _cells(design: Design) -> list[str]:
         f"{rows[QUINTIC].duration:.2f}",
         f"{stopping.duration:.2f}",
         f"**{best.duration:.2f}**",
-        f"{find_route_limit(design.route, design.requirements):.2f}",
+        f"{design.limit:.2f}",
         f"{best.to_quintic:.3f}",
         f"{best.to_limit:.3f}",
     ]

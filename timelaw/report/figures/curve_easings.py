@@ -12,4 +12,5 @@ def draw_curve_easings(scene: Scene, canvas: Canvas) -> Any:
     """f(τ) and f'(τ) of each curve over the smoothstep, and their durations."""
     design: BezierDesign = scene.design
     names = [curve.name for curve in design.curves]
-    return draw_timings(scene, design.timings, names, ("u = f(τ)", "its slope f′(τ)"), canvas)
+    easings = scene.sample_easings(design.timings)
+    return draw_timings(scene, easings, names, ("u = f(τ)", "its slope f′(τ)"), canvas)

@@ -1,9 +1,15 @@
 """What pictures ask of a design, whatever its route: its law, and those beside it."""
 
+from collections.abc import Sequence
 from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
+import numpy as np
+
+from timelaw.easing import Timing
+from timelaw.easing.piece_stack import sample_profiles
 from timelaw.motion import QuaternionLaw, Segment
+from timelaw.numerics.array import Array
 from timelaw.numerics.function import enclose_peaks
 from timelaw.pipeline import Certified
 from timelaw.report.figures.channels import Channel, list_channels
@@ -20,7 +26,15 @@ COLOURS = {
     STOPPING_LAW: STOPPING,
 }
 
+POINTS = 161  # of an easing
 OTHERS = (DOUBLE_S, STOPPING, AXIS_COLOURS[2], AXIS_COLOURS[0], QUINTIC, EVERY_STOP)
+
+
+class SampledEasings(NamedTuple):
+    """The distinct easings, and their slopes, (n, m) each, at τ (m,)."""
+
+    tau: Array
+    values: tuple[Array, Array]
 
 
 class Scene:
@@ -31,6 +45,7 @@ class Scene:
         self.optimised: Certified = design.optimised
         self.baselines: tuple[Certified, ...] = design.baselines
         self.law = self.optimised.law
+        self._easings: SampledEasings | None = None
 
     def choose_colour(self, name: str) -> str:
         """Of a law beside the first one, the same in all pictures; what is no baseline has one in turn."""
@@ -38,6 +53,15 @@ class Scene:
             return COLOURS[name]
         others = [entry.name for entry in self.baselines if entry.name not in COLOURS]
         return OTHERS[others.index(name) % len(OTHERS)]
+
+    def sample_easings(self, timings: Sequence[Timing]) -> SampledEasings:
+        """Those of the design's timings, for all canvases."""
+        if self._easings is None:
+            distinct = list({timing.easing.key(): timing.easing for timing in timings}.values())
+            tau = np.linspace(0.0, 1.0, POINTS)
+            values = sample_profiles(distinct, tau, 0), sample_profiles(distinct, tau, 1)
+            self._easings = SampledEasings(tau, values)
+        return self._easings
 
     @cached_property
     def channels(self) -> list[Channel]:

@@ -5,11 +5,11 @@ from typing import Any
 
 import numpy as np
 
-from timelaw.easing import Profile, Timing
+from timelaw.easing import Profile
 from timelaw.easing.smoothstep import control_points
 from timelaw.numerics.array import Array
 from timelaw.pipeline import Design
-from timelaw.report.figures.drawn import Scene
+from timelaw.report.figures.drawn import SampledEasings, Scene
 from timelaw.report.figures.style import (
     MARGINS,
     OPTIMISED,
@@ -23,7 +23,6 @@ from timelaw.report.figures.style import (
 from timelaw.time_law import baselines
 
 SINGLE = 24  # distinct easings that are drawn one by one; of more, the band that they fill
-POINTS = 161
 NAMED = 60  # legs that stand in their order; more are sorted
 GAP = 5.0  # points between two labels
 
@@ -32,22 +31,22 @@ def draw_easings(scene: Scene, canvas: Canvas) -> Any:
     """The distinct easings f(τ) and f'(τ) over the smoothstep, and the durations of the legs."""
     design: Design = scene.design
     names = [leg.name for leg in design.route.legs]
-    return draw_timings(scene, design.solution.timings, names, ("easing f(τ)", "its slope f′(τ)"), canvas)
+    easings = scene.sample_easings(design.solution.timings)
+    return draw_timings(scene, easings, names, ("easing f(τ)", "its slope f′(τ)"), canvas)
 
 
 def draw_timings(
-    scene: Scene, timings: Sequence[Timing], names: Sequence[str], titles: tuple[str, str], canvas: Canvas
+    scene: Scene, easings: SampledEasings, names: Sequence[str], titles: tuple[str, str], canvas: Canvas
 ) -> Any:
-    """The easings of some timings, in two panels, and how long each leg takes, in a third."""
+    """Easings and their slopes, in two panels, and how long each leg takes, in a third."""
     figure, axes = lay_panels(canvas, 3, 1.7)
-    easings = list({timing.easing.key(): timing.easing for timing in timings}.values())
-    tau = np.linspace(0.0, 1.0, POINTS)
+    tau = easings.tau
     grey = Profile.single(control_points(baselines.PAPER_CONTINUITY))
     for ax, order, title in zip(axes, (0, 1), titles, strict=False):
         if any(b.name == baselines.QUINTIC for b in scene.baselines):
             ax.plot(tau, grey(tau, order), color=QUINTIC, linewidth=1.1)
-        draw_curves(ax, tau, np.array([easing(tau, order) for easing in easings]))
-        write_title(ax, [title], f"{len(easings)} distinct" if order == 0 else "")
+        draw_curves(ax, tau, easings.values[order])
+        write_title(ax, [title], f"{len(easings.values[0])} distinct" if order == 0 else "")
         ax.set_xticks([0, 0.5, 1], ["0", "0.5", "τ = 1"])
         set_ticks(ax)
     draw_durations(axes[2], scene, names)

@@ -17,7 +17,6 @@ from timelaw.report.figures.passing import draw_passing
 from timelaw.report.figures.rates import draw_rates
 from timelaw.report.figures.style import NARROW, WIDE, Canvas, render_svg, use_style
 from timelaw.report.figures.window import is_long
-from timelaw.requirements.route_limit import find_route_limit
 
 
 @dataclass(frozen=True)
@@ -32,7 +31,7 @@ class Picture:
 
 def _draw_route_laws(scene: Scene, canvas: Canvas) -> Any:
     design: Design = scene.design
-    return draw_laws(scene, canvas, find_route_limit(design.route, design.requirements))
+    return draw_laws(scene, canvas, design.limit)
 
 
 RATES = Picture(draw_rates, "Rates over time", describe_rates)

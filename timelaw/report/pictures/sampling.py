@@ -10,6 +10,7 @@ from timelaw.numerics.array import Array
 
 FINE, COARSE = 48, 12  # points of a leg, in a motion of few legs and of very many
 MOST_POINTS = 6000  # of a line that is still a small file
+MOST_LEGS = MOST_POINTS // COARSE  # that one line shows
 DRAWN = range(4)  # q, ω, α, jerk
 HUGE = 1e100  # sums of squares of what is less stay finite
 MARKS = 40  # about as many marks of time as can be told apart along a motion
@@ -25,6 +26,18 @@ def sample_times(law: QuaternionLaw) -> Array:
         for segment in law.segments
     ]
     return np.append(np.concatenate(parts), law.duration)
+
+
+def find_last_shown(law: QuaternionLaw) -> float:
+    """The instant [s] up to which lines are drawn: of a motion of very many legs the end of the first 500."""
+    numbers = [number for number, segment in enumerate(law.segments, 1) if segment.moves]
+    return float(law.times[numbers[MOST_LEGS - 1]]) if len(numbers) > MOST_LEGS else law.duration
+
+
+def count_shown(law: QuaternionLaw) -> str:
+    """How many legs are drawn, in words."""
+    count = len(law.legs)
+    return f"the first {MOST_LEGS} of {count} legs" if count > MOST_LEGS else f"{count} legs"
 
 
 def refuse_undefined(law: QuaternionLaw) -> None:

@@ -7,7 +7,7 @@ import numpy as np
 from timelaw.motion import QuaternionLaw
 from timelaw.numerics.array import Array
 from timelaw.report.figures.style import GRID_LINE, INK, MUTED, OMEGA
-from timelaw.report.pictures.sampling import list_marks, sample_times
+from timelaw.report.pictures.sampling import count_shown, find_last_shown, list_marks, sample_times
 from timelaw.report.pictures.sketch import SIZE, WIDTH, make_panel
 from timelaw.report.pictures.three_sphere import (
     MOST,
@@ -36,7 +36,10 @@ def draw_stereographic(law: QuaternionLaw) -> Any:
     view, vertices = View(), list_vertices(law)
     arcs = trace_edges(vertices, list_edges(vertices) if len(vertices) <= 2 * MOST else NONE)
     step, marks = list_marks(law)
-    times = np.unique(np.concatenate([sample_times(law), marks, law.times]))
+    last = find_last_shown(law)
+    at_nodes = law.times[law.times <= last]
+    times = np.unique(np.concatenate([sample_times(law), marks, at_nodes]))
+    times = times[times <= last]
     path = lift(law(times))
     ground = np.concatenate([arcs.reshape(-1, 4)[:: 1 + arcs.size // 8000], path[:: 1 + len(path) // 2000]])
     projection = choose_projection(vertices, ground)
@@ -49,13 +52,13 @@ def draw_stereographic(law: QuaternionLaw) -> Any:
         ring = np.linspace(0.0, 2 * np.pi, 121)
         ax.plot(np.cos(ring), np.sin(ring), color=GRID_LINE, linewidth=0.8, zorder=0)
     ax.plot(*route[:, :2].T, color=ROUTE, linewidth=0.5 if many else 1.5, zorder=4)
-    nodes = places[np.searchsorted(times, law.times)]
+    nodes = places[np.searchsorted(times, at_nodes)]
     ax.scatter(*nodes[:, :2].T, s=5 if many else 24, color=ROUTE, linewidths=0, zorder=5)
     if not many:
         ticks = places[np.searchsorted(times, marks)]
         ax.scatter(*ticks[:, :2].T, s=4, color=INK, linewidths=0, zorder=6)
     _frame(ax, np.concatenate([places, lattice.reshape(-1, 3)])[:, :2])
-    told = f"route of {len(law.legs)} legs" if many else f"large dots: nodes; small dots: every {step:g} s"
+    told = f"route of {count_shown(law)}" if many else f"large dots: nodes; small dots: every {step:g} s"
     below = {"transform": ax.transAxes, "ha": "center", "va": "center"}
     ax.text(0.5, FOOT / 2 / (WIDTH + FOOT), told, fontsize=SIZE, color=MUTED, **below)
     return figure
@@ -93,6 +96,6 @@ def _frame(ax: Any, points: Array) -> None:
 def describe_stereographic(law: QuaternionLaw) -> str:
     """What is seen, for who does not see it."""
     return (
-        f"The route of {len(law.legs)} legs on the sphere of unit quaternions, projected stereographically "
+        f"The route of {count_shown(law)} on the sphere of unit quaternions, projected stereographically "
         "into space, among the edges of the lattice of its nodes."
     )

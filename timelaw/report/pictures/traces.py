@@ -4,7 +4,7 @@ from typing import Any
 
 from timelaw.motion import QuaternionLaw
 from timelaw.report.figures.style import AXIS_COLOURS, INK, MUTED
-from timelaw.report.pictures.sampling import list_marks, sample_times
+from timelaw.report.pictures.sampling import MOST_LEGS, count_shown, find_last_shown, list_marks, sample_times
 from timelaw.report.pictures.sketch import SIZE, WIDTH, draw_dots, draw_globe, draw_path, make_panel
 from timelaw.report.pictures.view import View
 
@@ -20,10 +20,12 @@ def draw_traces(law: QuaternionLaw) -> Any:
     figure, ax = make_panel(WIDTH, WIDTH + FOOT)
     draw_globe(ax, view)
     step, marks = list_marks(law)
-    path, nodes, ticks = (law.rotation(times) for times in (sample_times(law), law.times, marks))
+    times = sample_times(law)
+    path = law.rotation(times[times <= find_last_shown(law)])
+    nodes, ticks = (law.rotation(law.times), law.rotation(marks)) if not many else (path[:0], path[:0])
     for axis, colour in enumerate(AXIS_COLOURS):
         if many:
-            thin = min(WOOL / len(law.legs), 1.0)
+            thin = min(WOOL / min(len(law.legs), MOST_LEGS), 1.0)
             draw_path(ax, path[:, :, axis], view, colour, 0.4, dashed=False, alpha=thin)
         else:
             draw_path(ax, path[:, :, axis], view, colour, 1.2, dashed=True)
@@ -33,7 +35,7 @@ def draw_traces(law: QuaternionLaw) -> Any:
         ax.text(-1.04 + 0.12 * axis, 1.05, "xyz"[axis], **letter)
     ax.set_xlim(-EDGE, EDGE)
     ax.set_ylim(-EDGE * (1 + 2 * FOOT / WIDTH), EDGE)
-    told = f"{len(law.legs)} legs" if many else f"large dots: nodes; small dots: every {step:g} s"
+    told = count_shown(law) if many else f"large dots: nodes; small dots: every {step:g} s"
     ax.text(0, -EDGE * (1 + FOOT / WIDTH), told, ha="center", va="center", fontsize=SIZE, color=MUTED)
     ax.text(1.04, 1.05, f"{law.duration:.4g} s", ha="right", va="top", fontsize=SIZE, color=INK)
     return figure
@@ -43,5 +45,5 @@ def describe_traces(law: QuaternionLaw) -> str:
     """What is seen, for who does not see it."""
     return (
         f"The paths of the three body axes on the unit sphere over {law.duration:.6g} s and "
-        f"{len(law.legs)} legs: x red, y blue, z green; the far side is fainter."
+        f"{count_shown(law)}: x red, y blue, z green; the far side is fainter."
     )
