@@ -21,7 +21,8 @@ from timelaw.nlp.ipopt import Outcome, solve
 from timelaw.nlp.program import Program
 from timelaw.nlp.rooms import list_points, list_rooms, list_stays
 from timelaw.nlp.solution import Solution, Status, sum_durations
-from timelaw.nlp.transcription import Points, pack, transcribe
+from timelaw.nlp.transcription import transcribe
+from timelaw.nlp.variables import Variables
 from timelaw.nlp.verdicts import Verdict
 from timelaw.numerics.array import Array
 from timelaw.time_limit import is_late
@@ -92,24 +93,24 @@ def _exchange(
 ) -> Solution | None:
     """Solve, demand the limits where they are broken, and solve again."""
     units = np.array([timing.duration for timing in start])
-    points, stay = list_points(program), list_stays(program)
+    variables, points, stay = Variables(program, units), list_points(program), list_stays(program)
     best: Solution | None = None
-    timings = begun = _in_basis(program, start, units)
+    timings = begun = _in_basis(program, start, variables)
     iterations = 0
     of = timings if program.objective.scales_limits else start
     scale = program.objective.scale(program.repeat(program.demands), program.repeat(of))
     for rounds in range(1, (most_rounds or ROUNDS) + 1):
         rooms = list_rooms(program, points)
-        transcription = transcribe(program, points, rooms, stay, units, scale)
-        first = _start(program, timings, units, scale)
-        outcome = solve(transcription.symbols, first, transcription.bounds, strict=program.moving)
+        transcription = transcribe(program, variables, points, rooms, stay, scale)
+        first = _start(program, timings, variables, scale)
+        outcome = solve(transcription.layout, first, transcription.numbers, strict=program.moving)
         iterations += outcome.iterations
         again = rounds > 1 and not program.large and not outcome.stopped
         if not _is_usable(outcome) and again:  # once more from where all began
             outcome = solve(
-                transcription.symbols,
-                _start(program, begun, units, scale),
-                transcription.bounds,
+                transcription.layout,
+                _start(program, begun, variables, scale),
+                transcription.numbers,
                 strict=program.moving,
             )
             iterations += outcome.iterations
@@ -118,7 +119,7 @@ def _exchange(
             if not outcome.stopped:
                 failures.append(outcome.verdict)
             return _give_up(best, iterations, Status.STOPPED if outcome.stopped else Status.ACCEPTABLE)
-        found = transcription.timings(outcome.x)
+        found = variables.timings(outcome.x)
         try:
             timings, gap = _closed(program, found, _used(program, outcome, scale))
         except InfeasibleError:
@@ -157,12 +158,9 @@ def _is_usable(outcome: Outcome) -> bool:
     return outcome.acceptable and bool(np.all(np.isfinite(outcome.x)))
 
 
-def _in_basis(program: Program, start: Sequence[Timing], units: Array) -> tuple[Timing, ...]:
+def _in_basis(program: Program, start: Sequence[Timing], variables: Variables) -> tuple[Timing, ...]:
     """The start as the bases can write it: a spline only comes near another curve."""
-    no_points: Points = [[np.array([0.5])] * len(demand.rows) for demand in program.demands]
-    nowhere = [np.zeros(0)] * len(program.demands)
-    blank = transcribe(program, no_points, no_points, nowhere, units, 1.0)
-    timings = blank.timings(pack(program, start, units, 0.0))
+    timings = variables.timings(variables.pack(start, 0.0))
     return _fitted(program, timings) if program.elastic else timings
 
 
@@ -174,12 +172,12 @@ def _fitted(program: Program, timings: Sequence[Timing]) -> tuple[Timing, ...]:
     return tuple(fitted)
 
 
-def _start(program: Program, timings: Sequence[Timing], units: Array, scale: float) -> Array:
+def _start(program: Program, timings: Sequence[Timing], variables: Variables, scale: float) -> Array:
     """Variables of the last timings, a little inside the limits where time may be stretched."""
     inside = [timing.stretched(INSIDE) for timing in timings] if program.elastic else list(timings)
     if not program.objective.scales_limits:
-        return pack(program, inside, units, 0.0)
-    return pack(program, inside, units, INSIDE * used_fraction(program.demands, inside) / scale)
+        return variables.pack(inside, 0.0)
+    return variables.pack(inside, INSIDE * used_fraction(program.demands, inside) / scale)
 
 
 def _used(program: Program, outcome: Outcome, scale: float) -> float:
