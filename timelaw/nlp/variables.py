@@ -108,6 +108,17 @@ class Variables:
             x[-1] = peak
         return x
 
+    def stretched(self, x: Array, factors: Array) -> Array:
+        """Variables of the same easings in `factors` (legs,) times the time, one factor for each run."""
+        longer = x.copy()
+        for leg, factor in zip(self.legs, factors.tolist(), strict=True):
+            longer[leg.place] *= factor
+            if leg.right.first is not None:
+                longer[leg.right.first : leg.right.first + leg.continuity] /= factor ** np.arange(
+                    1.0, leg.continuity + 1
+                )
+        return longer
+
 
 def _count(run: RunProblem) -> int:
     """Variables of a run besides durations."""
