@@ -167,6 +167,7 @@ def test_an_interrupt_inside_the_solver_is_obeyed(monkeypatch):
     import casadi
 
     from timelaw.nlp import ipopt
+    from timelaw.nlp.assembly import Layout
 
     class Stopped:
         def __call__(self, **_):
@@ -176,8 +177,10 @@ def test_an_interrupt_inside_the_solver_is_obeyed(monkeypatch):
             return {"return_status": "User_Requested_Stop", "iter_count": 3}
 
     monkeypatch.setattr(casadi, "nlpsol", lambda *_: Stopped())
+    ipopt.keep_solver.cache_clear()
     with pytest.raises(KeyboardInterrupt):
-        ipopt.solve({}, [0.0], {"lbx": [0.0], "ubx": [1.0], "lbg": []}, strict=False)
+        ipopt.solve(Layout(1, (), (), ()), [0.0], {"lbx": [0.0], "ubx": [1.0]}, strict=False)
+    ipopt.keep_solver.cache_clear()
 
 
 def test_no_solution_is_exit_3_and_an_interrupt_130(monkeypatch, capsys):

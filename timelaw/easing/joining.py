@@ -4,12 +4,15 @@ Each piece starts where the one before it ends, as integration says. What roundi
 the leg is put into the least change of the highest derivative's control points.
 """
 
+from functools import lru_cache
+
 import numpy as np
 
 from timelaw.easing.profile import Piece, Profile
-from timelaw.numerics.array import Array
+from timelaw.numerics.array import Array, freeze
 from timelaw.numerics.state_form import derive
 
+KEPT = 16  # matrices that depend on nothing but the lengths of the pieces
 REPETITIONS = 2  # the second takes what rounding left of the first
 
 
@@ -23,7 +26,7 @@ def join_pieces(durations: Array, controls: Array, start: Array, end: Array, *, 
     if smooth:
         controls[1:, 0] = controls[:-1, -1] = (controls[1:, 0] + controls[:-1, -1]) / 2
     share = _sharing(*controls.shape, smooth=smooth)
-    effect = _end_effect(durations, controls.shape[1], len(start)) @ share
+    effect = _end_effect(tuple(durations.tolist()), controls.shape[1], len(start)) @ share
     for _ in range(REPETITIONS):
         missing = end - _chain(durations, controls, start)[-1]
         # least-norm by the normal equations, which are of the size of a state
@@ -41,8 +44,10 @@ def _sharing(count: int, width: int, *, smooth: bool) -> Array:
     return np.array(np.eye(count * (width - 1) + 1)[owner.ravel()])
 
 
-def _end_effect(durations: Array, width: int, size: int) -> Array:
+@lru_cache(maxsize=KEPT)
+def _end_effect(given: tuple[float, ...], width: int, size: int) -> Array:
     """Matrix (c+1, p · width): the state at the end of all, per control point."""
+    durations = np.array(given)
     ends = np.cumsum(durations)
     effect = np.zeros((size, len(durations), width))
     for column in range(width):
@@ -50,13 +55,16 @@ def _end_effect(durations: Array, width: int, size: int) -> Array:
         unit[:, column] = 1.0
         reached = _end_states(durations, np.zeros((len(durations), size)), unit)
         effect[:, :, column] = _carry(reached, ends[-1] - ends).T
-    return effect.reshape(size, -1)
+    return freeze(effect.reshape(size, -1))
 
 
 def _end_states(durations: Array, states: Array, controls: Array) -> Array:
-    """States (p, c+1) at the ends of pieces."""
-    orders = range(states.shape[1])
-    return np.stack([derive(durations, states, controls, k)[0][:, -1] for k in orders], axis=1)
+    """States (p, c+1) at the ends of pieces: the highest derivative integrated once for each order."""
+    ends = np.empty_like(states)
+    for order in reversed(range(states.shape[1])):
+        controls, _ = derive(durations, states[:, : order + 1], controls, order)
+        ends[:, order] = controls[:, -1]
+    return ends
 
 
 def _carry(states: Array, times: Array) -> Array:

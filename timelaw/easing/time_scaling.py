@@ -32,23 +32,50 @@ def used_fraction(demands: Sequence[Demand], timings: Sequence[Timing]) -> float
 
 
 def fit_to_limits(demands: Sequence[Demand], timings: Sequence[Timing]) -> tuple[Timing, ...]:
-    """Stretch (or shrink) all legs of a run by one factor, so that the worst limit is just held.
+    """Stretch (or shrink) all legs of a run by one factor, so that the worst limit is just held, proved.
 
-    One factor keeps rates equal from both sides at the nodes of the run. A few repetitions with a growing
-    clearance absorb the rounding of the factor.
+    One factor keeps rates equal from both sides at the nodes of the run.
 
     Raises:
         InfeasibleError: the law does not come within its limits, as where its numbers are not finite.
     """
-    fitted, clearance = tuple(timings), CLEARANCE
+    return hold_limits(demands, scale_to_limits(demands, timings))
+
+
+def scale_to_limits(demands: Sequence[Demand], timings: Sequence[Timing]) -> tuple[Timing, ...]:
+    """The same, without the proof that what came out holds the limits: it does but for rounding.
+
+    Raises:
+        InfeasibleError: no factor does.
+    """
+    factor = _find_factor(demands, timings)
+    if not 0 < factor < inf:
+        raise _say_how_far(demands, timings)
+    return _stretch(timings, factor * (1 + CLEARANCE))
+
+
+def hold_limits(demands: Sequence[Demand], timings: Sequence[Timing]) -> tuple[Timing, ...]:
+    """Timings that hold their limits but for rounding, stretched further until it is proved that they do.
+
+    A few repetitions with a growing clearance absorb the rounding.
+
+    Raises:
+        InfeasibleError: they do not come within their limits.
+    """
+    held, clearance = tuple(timings), CLEARANCE
     for _ in range(REPETITIONS):
-        fitted = _stretch(fitted, _find_factor(demands, fitted) * (1 + clearance))
-        if used_fraction(demands, fitted) <= 1:
-            return fitted
+        if used_fraction(demands, held) <= 1:
+            return held
         clearance *= 10
-    used = used_fraction(demands, fitted)
-    message = f"no stretch of time brings the law within its limits: {used:.9g} of them is used at the end"
-    raise InfeasibleError(message)
+        held = _stretch(held, _find_factor(demands, held) * (1 + clearance))
+    raise _say_how_far(demands, held)
+
+
+def _say_how_far(demands: Sequence[Demand], timings: Sequence[Timing]) -> InfeasibleError:
+    used = used_fraction(demands, timings)
+    return InfeasibleError(
+        f"no stretch of time brings the law within its limits: {used:.9g} of them is used at the end"
+    )
 
 
 def _stretch(timings: Sequence[Timing], factor: float) -> tuple[Timing, ...]:

@@ -13,7 +13,7 @@ from math import inf
 import numpy as np
 
 from timelaw.easing import Timing
-from timelaw.easing.time_scaling import fit_to_limits, used_fraction
+from timelaw.easing.time_scaling import hold_limits, scale_to_limits, used_fraction
 from timelaw.errors import InfeasibleError
 from timelaw.nlp.alike_runs import merge_alike
 from timelaw.nlp.extrema_search import add_departures, add_extrema
@@ -21,7 +21,8 @@ from timelaw.nlp.ipopt import Outcome, solve
 from timelaw.nlp.program import Program
 from timelaw.nlp.rooms import list_points, list_rooms, list_stays
 from timelaw.nlp.solution import Solution, Status, sum_durations
-from timelaw.nlp.transcription import Points, pack, transcribe
+from timelaw.nlp.transcription import transcribe
+from timelaw.nlp.variables import Variables
 from timelaw.nlp.verdicts import Verdict
 from timelaw.numerics.array import Array
 from timelaw.time_limit import is_late
@@ -54,7 +55,7 @@ def solve_from(
         return None
     alike = merge_alike(program)
     kept = [] if failures is None else failures
-    solution = _exchange(alike.program, alike.pick(start), kept, enough, most_rounds)
+    solution = _prove(alike.program, _exchange(alike.program, alike.pick(start), kept, enough, most_rounds))
     if solution is not None:
         solution = _rescale(alike.program, alike.pick(start), solution, kept)
     return None if solution is None else replace(solution, timings=alike.spread(solution.timings))
@@ -91,36 +92,29 @@ def _exchange(
     most_rounds: int | None = None,
 ) -> Solution | None:
     """Solve, demand the limits where they are broken, and solve again."""
-    units = np.array([timing.duration for timing in start])
+    variables = Variables(program, np.array([timing.duration for timing in start]))
     points, stay = list_points(program), list_stays(program)
     best: Solution | None = None
-    timings = begun = _in_basis(program, start, units)
+    x = begun = _begin(program, variables, start)
+    scale = _measure_start(program, variables, start, begun)
     iterations = 0
-    of = timings if program.objective.scales_limits else start
-    scale = program.objective.scale(program.repeat(program.demands), program.repeat(of))
     for rounds in range(1, (most_rounds or ROUNDS) + 1):
         rooms = list_rooms(program, points)
-        transcription = transcribe(program, points, rooms, stay, units, scale)
-        first = _start(program, timings, units, scale)
-        outcome = solve(transcription.symbols, first, transcription.bounds, strict=program.moving)
+        transcription = transcribe(program, variables, points, rooms, stay, scale)
+        outcome = solve(transcription.layout, x, transcription.numbers, strict=program.moving)
         iterations += outcome.iterations
         again = rounds > 1 and not program.large and not outcome.stopped
         if not _is_usable(outcome) and again:  # once more from where all began
-            outcome = solve(
-                transcription.symbols,
-                _start(program, begun, units, scale),
-                transcription.bounds,
-                strict=program.moving,
-            )
+            outcome = solve(transcription.layout, begun, transcription.numbers, strict=program.moving)
             iterations += outcome.iterations
         partial = outcome.stopped and program.elastic and program.objective.separable
         if not _is_usable(outcome) and not (partial and np.all(np.isfinite(outcome.x))):
             if not outcome.stopped:
                 failures.append(outcome.verdict)
             return _give_up(best, iterations, Status.STOPPED if outcome.stopped else Status.ACCEPTABLE)
-        found = transcription.timings(outcome.x)
+        found = variables.timings(outcome.x)
         try:
-            timings, gap = _closed(program, found, _used(program, outcome, scale))
+            timings, gap = _close(program, found, _used(program, outcome, scale))
         except InfeasibleError:
             return _give_up(best, iterations, Status.ACCEPTABLE)
         status = STATUSES.get(outcome.verdict, Status.ACCEPTABLE)
@@ -134,6 +128,7 @@ def _exchange(
             break
         if not strayed and (gap <= GAP or not add_extrema(points, program, found, used)):
             break
+        x = _go_on(program, variables, outcome.x, found, timings, gap)
     if best is not None and best.status is Status.OPTIMAL and best.gap > GAP:
         return replace(best, status=Status.GAP_LEFT)
     return best
@@ -157,29 +152,70 @@ def _is_usable(outcome: Outcome) -> bool:
     return outcome.acceptable and bool(np.all(np.isfinite(outcome.x)))
 
 
-def _in_basis(program: Program, start: Sequence[Timing], units: Array) -> tuple[Timing, ...]:
-    """The start as the bases can write it: a spline only comes near another curve."""
-    no_points: Points = [[np.array([0.5])] * len(demand.rows) for demand in program.demands]
-    nowhere = [np.zeros(0)] * len(program.demands)
-    blank = transcribe(program, no_points, no_points, nowhere, units, 1.0)
-    timings = blank.timings(pack(program, start, units, 0.0))
-    return _fitted(program, timings) if program.elastic else timings
+def _begin(program: Program, variables: Variables, start: Sequence[Timing]) -> Array:
+    """Variables of the start as the bases can write it: a spline only comes near another curve.
+
+    A little inside the limits, where time may be stretched or the used part of the limits is a variable.
+    """
+    x = variables.pack(start, INSIDE)
+    if not program.elastic:
+        return x
+    found = variables.timings(x)
+    return _stretch_inside(variables, x, found, _scaled(program, found))
 
 
-def _fitted(program: Program, timings: Sequence[Timing]) -> tuple[Timing, ...]:
-    """Each run stretched to its limits."""
-    fitted: list[Timing] = []
+def _go_on(
+    program: Program,
+    variables: Variables,
+    x: Array,
+    found: Sequence[Timing],
+    timings: Sequence[Timing],
+    gap: float,
+) -> Array:
+    """Variables from which to solve again, of the last solution, as far inside the limits."""
+    if program.elastic:
+        return _stretch_inside(variables, x, found, timings)
+    if program.objective.scales_limits:
+        x = x.copy()
+        x[-1] *= INSIDE * (1 + gap)
+    return x
+
+
+def _stretch_inside(
+    variables: Variables, x: Array, found: Sequence[Timing], timings: Sequence[Timing]
+) -> Array:
+    """Variables x of timings that were `found`, in a little more than the times that they were brought to."""
+    factors = [scaled.duration / own.duration for own, scaled in zip(found, timings, strict=True)]
+    return variables.stretched(x, INSIDE * np.array(factors))
+
+
+def _scaled(program: Program, timings: Sequence[Timing]) -> tuple[Timing, ...]:
+    """Each run stretched to its limits, but for rounding."""
+    scaled: list[Timing] = []
     for run in program.runs:
-        fitted += fit_to_limits(run.demands, timings[len(fitted) : len(fitted) + len(run.demands)])
-    return tuple(fitted)
+        scaled += scale_to_limits(run.demands, timings[len(scaled) : len(scaled) + len(run.demands)])
+    return tuple(scaled)
 
 
-def _start(program: Program, timings: Sequence[Timing], units: Array, scale: float) -> Array:
-    """Variables of the last timings, a little inside the limits where time may be stretched."""
-    inside = [timing.stretched(INSIDE) for timing in timings] if program.elastic else list(timings)
-    if not program.objective.scales_limits:
-        return pack(program, inside, units, 0.0)
-    return pack(program, inside, units, INSIDE * used_fraction(program.demands, inside) / scale)
+def _prove(program: Program, solution: Solution | None) -> Solution | None:
+    """The same, proved to hold its limits where time may be stretched; None if no stretch of time does it."""
+    if solution is None or not program.elastic:
+        return solution
+    held: list[Timing] = []
+    try:
+        for run in program.runs:
+            held += hold_limits(run.demands, solution.timings[len(held) : len(held) + len(run.demands)])
+    except InfeasibleError:
+        return None
+    return replace(solution, timings=tuple(held))
+
+
+def _measure_start(program: Program, variables: Variables, start: Sequence[Timing], begun: Array) -> float:
+    """The size of the objective at the start, if it enters the program."""
+    if program.elastic:
+        return 1.0
+    of = variables.timings(begun) if program.objective.scales_limits else start
+    return program.objective.scale(program.repeat(program.demands), program.repeat(of))
 
 
 def _used(program: Program, outcome: Outcome, scale: float) -> float:
@@ -187,10 +223,10 @@ def _used(program: Program, outcome: Outcome, scale: float) -> float:
     return float(outcome.x[-1]) * scale if program.objective.scales_limits else 1.0
 
 
-def _closed(program: Program, found: tuple[Timing, ...], allowed: float) -> tuple[tuple[Timing, ...], float]:
+def _close(program: Program, found: tuple[Timing, ...], allowed: float) -> tuple[tuple[Timing, ...], float]:
     """Timings after the exact stretch, where there is one, and the gap that is left."""
     if program.elastic:
-        timings = _fitted(program, found)
+        timings = _scaled(program, found)
         return timings, sum_durations(timings) / sum_durations(found) - 1
     excess = used_fraction(program.demands, found) / allowed - 1
     return found, excess if program.objective.scales_limits else excess + GAP  # within the margin, no gap

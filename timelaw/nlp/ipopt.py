@@ -2,12 +2,15 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import casadi as ca
 import numpy as np
 
 from timelaw.interrupts import check_interrupted, find_interrupt, shield
+from timelaw.nlp.assembly import Layout, assemble
+from timelaw.nlp.program import LARGE
 from timelaw.nlp.verdicts import Verdict, read_verdict
 from timelaw.numerics.array import Array
 from timelaw.progress import count_steps
@@ -24,6 +27,7 @@ OPTIONS: dict[str, Any] = {
     "ipopt.fixed_variable_treatment": "make_parameter",
 }
 STRICT: dict[str, Any] = {"ipopt.bound_relax_factor": 0.0}
+KEPT = 64  # solvers of small programs; one takes some hundred kilobytes
 
 
 @dataclass(frozen=True)
@@ -53,9 +57,10 @@ class Outcome:
 class _Stop(ca.Callback):
     """Asked by IPOPT after every iteration, with all it knows, whether to stop."""
 
-    def __init__(self, variables: int, rows: int) -> None:
+    def __init__(self, program: Any) -> None:
         super().__init__()
-        self.sizes = {"f": 1, "x": variables, "lam_x": variables, "g": rows, "lam_g": rows}
+        n, parameters, rows = program.size1_in(0), program.size1_in(1), program.size1_out(1)
+        self.sizes = {"f": 1, "x": n, "lam_x": n, "g": rows, "lam_g": rows, "lam_p": parameters}
         self.construct("stop", {})
 
     def get_n_in(self) -> int:
@@ -71,7 +76,7 @@ class _Stop(ca.Callback):
         return str(ca.nlpsol_out(index))
 
     def get_sparsity_in(self, index: int) -> Any:
-        """A column of each; there are no parameters."""
+        """A column of each."""
         size = self.sizes.get(ca.nlpsol_out(index), 0)
         return ca.Sparsity.dense(size) if size else ca.Sparsity(0, 0)
 
@@ -81,26 +86,47 @@ class _Stop(ca.Callback):
         return [int(is_late() or find_interrupt() is not None)]
 
 
-def solve(symbols: dict[str, Any], start: Array, bounds: dict[str, Array], *, strict: bool) -> Outcome:
+class Solver:
+    """IPOPT for all programs of one layout."""
+
+    def __init__(self, layout: Layout, *, strict: bool) -> None:
+        program, derivatives = assemble(layout)
+        self._stop = _Stop(program)  # CasADi does not keep it alive
+        options = OPTIONS | derivatives | {"iteration_callback": self._stop} | (STRICT if strict else {})
+        self._solver = ca.nlpsol("program", "ipopt", program, options)
+
+    def __call__(self, start: Array, numbers: dict[str, Array]) -> tuple[Array, str, int]:
+        """Where it stopped, its word for it, and iterations."""
+        result = self._solver(x0=start, **numbers)
+        status = self._solver.stats()
+        return np.array(result["x"]).ravel(), status["return_status"], int(status["iter_count"])
+
+
+@lru_cache(maxsize=KEPT)
+def keep_solver(layout: Layout, *, strict: bool) -> Solver:
+    """The solver of a small program, made once for all of its layout."""
+    return Solver(layout, strict=strict)
+
+
+def solve(layout: Layout, start: Array, numbers: dict[str, Array], *, strict: bool) -> Outcome:
     """Minimise f under lbg ≤ g ≤ ubg and lbx ≤ x ≤ ubx from `start` (n,); `strict` bounds are not relaxed.
+
+    `numbers` are the bounds and the parameters p.
 
     Raises:
         Interrupted: a signal came, which CasADi keeps to itself and takes for a failure.
     """
-    start = np.clip(start, bounds["lbx"], bounds["ubx"])
+    start = np.clip(start, numbers["lbx"], numbers["ubx"])
     if is_late():
         return Outcome(start, Verdict.STOPPED, 0)
     with shield():
-        stop = _Stop(len(bounds["lbx"]), len(bounds["lbg"]))
-        options = OPTIONS | {"iteration_callback": stop} | (STRICT if strict else {})
-        solver = ca.nlpsol("program", "ipopt", symbols, options)
+        small = layout.variables <= LARGE
+        solver = keep_solver(layout, strict=strict) if small else Solver(layout, strict=strict)
         check_interrupted()
-        if is_late():  # construction takes seconds where there are hundreds of legs
+        if is_late():  # construction takes long where there are thousands of legs
             return Outcome(start, Verdict.STOPPED, 0)
-        result = solver(x0=start, **bounds)
-        status = solver.stats()
-        x = np.array(result["x"]).ravel()
-    verdict = read_verdict(status["return_status"])
+        x, word, iterations = solver(start, numbers)
+    verdict = read_verdict(word)
     if verdict is Verdict.STOPPED and not is_late():
         raise KeyboardInterrupt  # of a caller who has a handler of his own, or Python's
-    return Outcome(x, verdict, int(status["iter_count"]))
+    return Outcome(x, verdict, iterations)

@@ -1,26 +1,28 @@
-"""What objectives are made of, as expressions of a program's symbols."""
+"""What objectives are made of: the weights that time, efforts and the used part of the limits have in one."""
 
-from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Any
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import partial
+from typing import NamedTuple
 
-import casadi as ca
+import numpy as np
 
-from timelaw.interrupts import check_interrupted
-from timelaw.nlp.leg_symbols import LegSymbols, rates_at
+from timelaw.nlp.monomials import expand_monomials
+from timelaw.nlp.point_rows import Form, PointRows
 from timelaw.nlp.program import Program
+from timelaw.nlp.variables import LegVariables
 from timelaw.objectives import EFFORTS
 
 
-@dataclass(frozen=True)
+@dataclass
 class Terms:
-    """What objectives are made of, as expressions; see `timelaw.objectives.objective.Terms`."""
+    """What objectives are made of; see `timelaw.objectives.objective.Terms`."""
 
     program: Program
-    symbols: Sequence[LegSymbols]
-    unit: float
     scale: float
-    used_part: Any
+    time: float = 0.0
+    used_part: float = 0.0
+    efforts: dict[str, float] = field(default_factory=dict)
 
     @property
     def legs(self) -> int:
@@ -37,20 +39,42 @@ class Terms:
         """Whether time may be stretched afterwards."""
         return self.program.elastic
 
-    @property
-    def time(self) -> Any:
-        """Total time in mean durations of the start."""
-        return (
-            ca.dot(self.program.leg_counts, ca.vertcat(*(leg.duration for leg in self.symbols))) / self.unit
-        )
+    def effort(self, name: str) -> float:
+        """Its value; noted if it is asked for."""
+        return self.efforts.setdefault(name, 0.0)
 
-    def effort(self, name: str) -> Any:
-        """∫ g dt over all legs over that of the start, by Gauss-Legendre, exact for polynomials."""
+
+class Weights(NamedTuple):
+    """What each term counts: time in mean durations of the start, the used part, efforts by name."""
+
+    time: float
+    used_part: float
+    efforts: Mapping[str, float]
+
+
+def weigh_terms(program: Program, scale: float) -> Weights:
+    """The weights of an objective's terms, which it is linear in."""
+    express, blank = program.objective.expression, Terms(program, scale)
+    none = express(blank)
+    return Weights(
+        express(Terms(program, scale, time=1.0)) - none,
+        express(Terms(program, scale, used_part=1.0)) - none,
+        {name: express(Terms(program, scale, efforts={name: 1.0})) - none for name in blank.efforts},
+    )
+
+
+def list_effort_rows(
+    program: Program, legs: Sequence[LegVariables], weights: Mapping[str, float], scale: float
+) -> list[PointRows]:
+    """∫ g dt of each leg as often as it is made, by Gauss-Legendre, exact for polynomials."""
+    found = []
+    for name, weight in weights.items():
         effort = EFFORTS[name]
-        terms = []
-        for demand, leg, basis in zip(self.program.demands, self.symbols, self.program.bases, strict=True):
-            check_interrupted()
-            tau, weights = basis.quadrature()
-            rates = rates_at(demand.angle, leg, basis, tau, effort.orders)
-            terms.append(leg.duration * ca.dot(ca.DM(weights), effort.integrand(demand, rates)))
-        return ca.dot(ca.DM(self.program.leg_counts), ca.vertcat(*terms)) / (self.scale or 1.0)
+        for leg, count in zip(legs, program.leg_counts, strict=True):
+            tau, parts = leg.basis.quadrature()
+            exponents, coefficients = expand_monomials(partial(effort.integrand, leg.demand), effort.orders)
+            each = weight * count * leg.unit / (scale or 1.0) * parts
+            free = np.full(len(tau), np.inf)
+            form = Form(effort.orders, exponents, lasting=1)
+            found.append(PointRows(leg, form, tau, np.outer(each, coefficients), -free, free))
+    return found

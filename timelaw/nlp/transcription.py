@@ -1,28 +1,21 @@
-"""Runs as a nonlinear program in CasADi: scaled variables, labelled rows.
+"""Runs as a nonlinear program: rows at chosen points τ, in numbers, and how they are laid out.
 
-Variables, all of order one: durations T_k in units of those of the start; at each straight node
-the rates φ', φ'', …, φ^(r), in units of the run's mean angle over its mean duration^i, shared by
-the legs on both sides, so that continuity holds by construction; the free coefficients of each
-leg; for the objective `peak` the used part of the limits. Rows: those of the limits at chosen
-points τ, divided by their bounds and written θ f^(k)/T^k ≤ bound (with T^k on the other side IPOPT
-needs several times the iterations).
+Rows are divided by their bounds and written θ f^(k)/T^k ≤ bound (with T^k on the other side IPOPT
+needs several times the iterations). Nothing is symbolic here: programs of one layout share their functions.
 """
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import accumulate
-from typing import Any
 
-import casadi as ca
 import numpy as np
 
-from timelaw.easing import Timing
-from timelaw.easing.family import Basis
-from timelaw.interrupts import check_interrupted, shield
-from timelaw.limits import Demand
-from timelaw.nlp.leg_symbols import LegSymbols, rates_at
-from timelaw.nlp.program import FARTHEST, Program, RunProblem
-from timelaw.nlp.terms import Terms
+from timelaw.interrupts import check_interrupted
+from timelaw.nlp.assembly import Layout
+from timelaw.nlp.monomials import expand_monomials
+from timelaw.nlp.point_rows import Form, PointRows, sort_rows
+from timelaw.nlp.program import FARTHEST, Program
+from timelaw.nlp.terms import list_effort_rows, weigh_terms
+from timelaw.nlp.variables import LegVariables, Variables
 from timelaw.numerics.array import Array
 
 Points = list[list[Array]]  # points[leg][row]: where that row is demanded on that leg
@@ -32,145 +25,101 @@ MOST_DURATION = 4.0  # of its run's start, half a turn longer: no leg needs more
 
 @dataclass(frozen=True)
 class Transcription:
-    """Symbols and bounds of the program, and the way from its variables back to timings."""
+    """A layout with its numbers: parameters and bounds; `rows` says how many of them are of limits."""
 
-    program: Program
-    symbols: dict[str, Any]
-    bounds: dict[str, Array]
-    unpack: Any
+    layout: Layout
+    numbers: dict[str, Array]
     rows: int
 
-    def timings(self, x: Array) -> tuple[Timing, ...]:
-        """Timings of the legs from the variables (n,) of a solution."""
-        with shield():
-            durations, *parts = [np.array(part).ravel() for part in self.unpack(x)]
-        legs = zip(durations, self.program.bases, parts[::3], parts[1::3], parts[2::3], strict=True)
-        return tuple(Timing(float(t), basis.easing(*coefficients)) for t, basis, *coefficients in legs)
 
-
-@shield()
 def transcribe(
-    program: Program, points: Points, rooms: Points, stay: Sequence[Array], units: Array, effort_scale: float
+    program: Program,
+    variables: Variables,
+    points: Points,
+    rooms: Points,
+    stay: Sequence[Array],
+    effort_scale: float,
 ) -> Transcription:
-    """Build the program with limits demanded at the given points, `rooms` times the bounds there.
+    """The program with limits demanded at the given points, `rooms` times the bounds there.
 
     Easings are held from 0 to 1 at the points τ in `stay`. `effort_scale` is the size of the objective at the
     start: of an effort, or of the used part of the limits.
     """
-    demands = program.demands
-    sizes = [len(demands), *(_sizes(run) for run in program.runs), 1]
-    x = ca.MX.sym("x", sum(sizes))
-    durations, *parts, peak = ca.vertsplit(x, [0, *accumulate(sizes)])
-    legs: list[LegSymbols] = []
-    for run, part in zip(program.runs, parts, strict=True):
-        own = slice(len(legs), len(legs) + len(run.demands))
-        legs += _run(run, durations[own] * ca.DM(units[own]), part, units[own])
-    rows = [
-        row
-        for demand, leg, basis, tau in zip(demands, legs, program.bases, points, strict=True)
-        for row in _limit_rows(demand, leg, basis, tau)
+    peak = variables.size - 1
+    limits: list[PointRows] = []
+    for leg, taus, parts in zip(variables.legs, points, rooms, strict=True):
+        check_interrupted()
+        limits += _limit_rows(program, leg, taus, parts, effort_scale)
+    stays = [
+        _stay_near_arc(program, leg, tau) for leg, tau in zip(variables.legs, stay, strict=True) if len(tau)
     ]
-    with_peak = program.objective.scales_limits
-    g = ca.vertcat(*(value for value, _ in rows))
-    if with_peak:
-        unit = ca.vertcat(*(ca.repmat(ca.DM(effort_scale**root), value.numel(), 1) for value, root in rows))
-        used = ca.vertcat(*(ca.repmat(peak**root, value.numel(), 1) for value, root in rows))
-        g = ca.vertcat(g / unit - used, -g / unit - used)
-    seconds = ca.vertcat(*(leg.duration for leg in legs))
-    made = seconds * ca.DM(program.leg_counts)
-    times = [ca.sum1(made[: budget.legs]) / budget.time for budget in program.budgets]
-    room = np.concatenate([part for leg_rooms in rooms for part in leg_rooms])
-    upper = np.zeros(g.numel()) if with_peak else room
-    lower = np.full(g.numel(), -np.inf) if with_peak else -upper
-    near, beyond = _stay_near_arcs(program, legs, stay)
+    unit_time = float(np.average(variables.units, weights=program.leg_counts))
+    weights = weigh_terms(program, effort_scale)
+    made = variables.units * np.array(program.leg_counts)
+    cost = np.zeros(variables.size)
+    cost[: len(made)] = weights.time * made / unit_time
+    if program.objective.scales_limits:
+        cost[peak] = weights.used_part
+    efforts = list_effort_rows(program, variables.legs, weights.efforts, effort_scale)
+    limited, near, summed = sort_rows(limits, peak), sort_rows(stays, peak), sort_rows(efforts, peak)
+    held = [*limited, *near]
+    sums = tuple(budget.legs for budget in program.budgets)
+    layout = Layout(
+        variables.size, tuple(rows.block for rows in held), tuple(rows.block for rows in summed), sums
+    )
+    times = [made[: budget.legs] / budget.time for budget in program.budgets]
     ones = np.ones(len(times))
-    bounds = {
-        **_variable_bounds(program, units, sizes),
-        "lbg": np.concatenate([lower, -beyond, ones]),
-        "ubg": np.concatenate([upper, 1 + beyond, ones]),
+    numbers = {
+        **_variable_bounds(program, variables),
+        "p": np.concatenate([cost, *(rows.parameters.ravel() for rows in (*held, *summed)), *times]),
+        "lbg": np.concatenate([*(rows.lower for rows in held), ones]),
+        "ubg": np.concatenate([*(rows.upper for rows in held), ones]),
     }
-    unit_time = float(np.average(units, weights=program.leg_counts))
-    objective = program.objective.expression(Terms(program, legs, unit_time, effort_scale, peak))
-    symbols = {"x": x, "f": objective, "g": ca.vertcat(g, *near, *times)}
-    coefficients = [part for leg in legs for part in (leg.left, leg.free, leg.right)]
-    unpack = ca.Function("unpack", [x], [seconds, *coefficients])
-    return Transcription(program, symbols, bounds, unpack, int(g.numel()))
-
-
-def _stay_near_arcs(
-    program: Program, legs: Sequence[LegSymbols], stay: Sequence[Array]
-) -> tuple[list[Any], Array]:
-    """The easing of each leg at the points τ in `stay`, and how far below 0 and above 1 it may be there.
-
-    From rest to rest it stays between by itself; where a leg has time to spend, a long run-up would pay.
-    """
-    found, beyond = [], [np.zeros(0)]
-    for demand, basis, leg, tau in zip(program.demands, program.bases, legs, stay, strict=True):
-        if len(tau):
-            found.append(ca.densify(leg.apply(basis, basis.values(tau, 0))))
-            beyond.append(np.full(len(tau), program.beyond / demand.angle))
-    return found, np.concatenate(beyond)
-
-
-def _sizes(run: RunProblem) -> int:
-    legs = len(run.demands)
-    return run.family.continuity * (legs - 1) + sum(basis.free for basis in run.bases)
-
-
-def _scale(run: RunProblem) -> float:
-    return float(np.mean([demand.angle for demand in run.demands]))
-
-
-def _run(run: RunProblem, durations: Any, part: Any, units: Array) -> list[LegSymbols]:
-    """The legs of a run, joined at its straight nodes by shared rates."""
-    count, r = len(run.demands), run.family.continuity
-    scale, unit = _scale(run), float(np.mean(units))
-    cuts = [0, *accumulate((basis.free for basis in run.bases), initial=r * (count - 1))]
-    shared, *free = ca.vertsplit(part, cuts)  # CasADi's slices beyond a single element are not empty
-    speeds: Any = ca.reshape(shared, r, count - 1)
-    ends = [_end(rates, r, unit, scale) for rates in (run.start, run.end)]
-    legs = []
-    for k, demand in enumerate(run.demands):
-        powers = ca.vertcat(*((durations[k] / unit) ** i * scale / demand.angle for i in range(1, r + 1)))
-        before = speeds[:, k - 1] if k else ends[0]
-        after = speeds[:, k] if k < count - 1 else ends[1]
-        left, right = ca.vertcat(0.0, before * powers), ca.vertcat(1.0, after * powers)
-        legs.append(LegSymbols(durations[k], left, free[k], right))
-    return legs
-
-
-def _end(rates: Sequence[float], continuity: int, unit: float, scale: float) -> Any:
-    """Rates outside a run in the units of its node variables; rest where none are given."""
-    given = [*rates, *[0.0] * continuity][:continuity]
-    return ca.DM([rate * unit**i / scale for i, rate in enumerate(given, 1)])
+    return Transcription(layout, numbers, sum(rows.block.size for rows in limited))
 
 
 def _limit_rows(
-    demand: Demand, leg: LegSymbols, basis: Basis, points: Sequence[Array]
-) -> list[tuple[Any, int]]:
-    """Rows of one leg over their bounds, each with its root."""
-    check_interrupted()
-    rows = []
-    for row, tau in zip(demand.rows, points, strict=True):
-        rates = rates_at(demand.angle, leg, basis, tau, row.orders)
-        rows.append((ca.densify(row.value(rates) / row.bound), row.root))
-    return rows
+    program: Program, leg: LegVariables, points: Sequence[Array], rooms: Sequence[Array], scale: float
+) -> list[PointRows]:
+    """Rows of one leg over their bounds; or, where these are scaled, on both sides within what is used."""
+    found = []
+    for row, tau, room in zip(leg.demand.rows, points, rooms, strict=True):
+        exponents, coefficients = expand_monomials(row.value, row.orders)
+        over = np.tile(np.array(coefficients) / row.bound, (len(tau), 1))
+        if not program.objective.scales_limits:
+            found.append(PointRows(leg, Form(row.orders, exponents), tau, over, -room, room))
+            continue
+        form, over = Form(row.orders, exponents, root=row.root), over / scale**row.root
+        nothing, below = np.zeros(len(tau)), np.full(len(tau), -np.inf)
+        found += [PointRows(leg, form, tau, sign * over, below, nothing) for sign in (1.0, -1.0)]
+    return found
 
 
-def _variable_bounds(program: Program, units: Array, sizes: Sequence[int]) -> dict[str, Array]:
+def _stay_near_arc(program: Program, leg: LegVariables, tau: Array) -> PointRows:
+    """The easing of a leg at points τ, and how far below 0 and above 1 it may be there.
+
+    From rest to rest it stays between by itself; where a leg has time to spend, a long run-up would pay.
+    """
+    beyond = np.full(len(tau), program.beyond / leg.demand.angle)
+    scale = np.full((len(tau), 1), 1 / leg.demand.angle)
+    return PointRows(leg, Form((0,), ((1,),)), tau, scale, -beyond, 1 + beyond)
+
+
+def _variable_bounds(program: Program, variables: Variables) -> dict[str, Array]:
     """Durations stay positive, and fixed ones fixed; the used part of the limits is not negative.
 
     The less of the limits is to be used, the longer a leg may take: without an end to that the solver would
     let the body creep for ever.
     """
-    lower, upper = np.full(sum(sizes), -np.inf), np.full(sum(sizes), np.inf)
-    lower[: sizes[0]] = LEAST_DURATION
+    legs = len(variables.units)
+    lower, upper = np.full(variables.size, -np.inf), np.full(variables.size, np.inf)
+    lower[:legs] = LEAST_DURATION
     if program.objective.scales_limits:
-        upper[: sizes[0]] = _list_longest(program, units)
+        upper[:legs] = _list_longest(program, variables.units)
+        lower[-1] = 0.0
     for k, demand in enumerate(program.demands):
         if demand.duration is not None:
-            lower[k] = upper[k] = demand.duration / units[k]
-    lower[-1], upper[-1] = 0.0, (np.inf if program.objective.scales_limits else 0.0)
+            lower[k] = upper[k] = demand.duration / variables.units[k]
     return {"lbx": lower, "ubx": upper}
 
 
@@ -182,22 +131,3 @@ def _list_longest(program: Program, units: Array) -> Array:
         further = 1 + FARTHEST / run.run.angle
         longest += [MOST_DURATION * further * float(np.sum(own))] * len(own)
     return np.array(longest) / units
-
-
-def pack(program: Program, timings: Sequence[Timing], units: Array, peak: float) -> Array:
-    """Variables (n,) of given timings whose easings the bases contain."""
-    parts: list[Any] = [[timing.duration / unit for timing, unit in zip(timings, units, strict=True)]]
-    first = 0
-    for run in program.runs:
-        own = timings[first : first + len(run.demands)]
-        scale, unit = _scale(run), float(np.mean(units[first : first + len(own)]))
-        parts.append(
-            [
-                timing.easing.end(i) * demand.angle / (timing.duration / unit) ** i / scale
-                for timing, demand in zip(own[:-1], run.demands, strict=False)
-                for i in range(1, run.family.continuity + 1)
-            ]
-        )
-        parts += [basis.free_of(timing.easing) for basis, timing in zip(run.bases, own, strict=True)]
-        first += len(own)
-    return np.concatenate([*parts, [peak if program.objective.scales_limits else 0.0]])
