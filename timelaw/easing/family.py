@@ -66,6 +66,11 @@ class Family(Protocol):
         """Whether every polynomial of that degree on a leg is one of its easings."""
         ...
 
+    @property
+    def polynomials(self) -> PolynomialBasis | None:
+        """The basis that all legs have, if it is the same one polynomial."""
+        ...
+
 
 @dataclass(frozen=True)
 class PolynomialFamily:
@@ -100,6 +105,11 @@ class PolynomialFamily:
     def contains(self, degree: int) -> bool:
         """Up to its own."""
         return degree <= self.degree
+
+    @property
+    def polynomials(self) -> PolynomialBasis | None:
+        """Whatever is demanded."""
+        return PolynomialBasis(self.degree, self.continuity)
 
 
 @dataclass(frozen=True)
@@ -170,6 +180,11 @@ class SplineFamily:
         """Up to its own."""
         return degree <= self.degree
 
+    @property
+    def polynomials(self) -> PolynomialBasis | None:
+        """None: the breaks are those of the leg's own profile."""
+        return None
+
 
 def classify_profile(demands: Sequence[Demand]) -> int:
     """The class C^k of the double-S profile: 2 where jerk is limited, 1 where acceleration is, else 0."""
@@ -207,6 +222,11 @@ class DoubleSFamily:
     def contains(self, degree: int) -> bool:  # noqa: ARG002
         """It is none."""
         return False
+
+    @property
+    def polynomials(self) -> PolynomialBasis | None:
+        """None: it is in pieces."""
+        return None
 
 
 def _peak(angles: Sequence[float], timings: Sequence[Timing], order: int) -> float:
