@@ -9,7 +9,7 @@ from timelaw.errors import Fault, InfeasibleError
 from timelaw.nlp.elastic_runs import solve_elastic
 from timelaw.nlp.given_runs import solve_given
 from timelaw.nlp.program import RunProblem
-from timelaw.nlp.solution import Solution, Status, Timings
+from timelaw.nlp.solution import GAP, Solution, Status, Timings
 from timelaw.progress import Progress
 from timelaw.single_legs.least_times import are_rates_limited, solve_legs
 from timelaw.time_limit import is_late
@@ -81,7 +81,7 @@ def solve_plain(problems: Sequence[RunProblem]) -> Solved:
     return {
         problem: Solution((leg.timing,), Status.OPTIMAL, leg.exchanges, 1, leg.gap, leg.rows)
         for problem, leg in zip(problems, solve_legs(legs, basis), strict=True)
-        if leg is not None
+        if leg is not None and leg.gap <= GAP
     }
 
 

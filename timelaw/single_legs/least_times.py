@@ -14,8 +14,6 @@ from timelaw.limits import Demand
 from timelaw.single_legs.one_point_exchange import find_least_times
 from timelaw.single_legs.symmetric_easings import SymmetricEasings
 
-GAP = 1e-6  # relative: a law that is further above what is proved to be least is none
-
 
 @dataclass(frozen=True)
 class Fastest:
@@ -36,7 +34,7 @@ def are_rates_limited(demand: Demand) -> bool:
 
 
 def solve_legs(demands: Sequence[Demand], basis: PolynomialBasis) -> list[Fastest | None]:
-    """The fastest law of each leg in a basis; None where rounding ended the search above the gap."""
+    """The fastest law of each leg in a basis; None where rounding ended the search."""
     easings = _make_easings(basis.degree, basis.continuity)
     bounds = np.array([rate_bounds(demand.rows) for demand in demands])
     least = find_least_times(easings, bounds / np.array([[demand.angle] for demand in demands]))
@@ -46,8 +44,7 @@ def solve_legs(demands: Sequence[Demand], basis: PolynomialBasis) -> list[Fastes
     found: list[Fastest | None] = [None] * len(demands)
     for i, (timing,) in zip(solved, fit_runs([[demands[i]] for i in solved], laws), strict=True):
         gap = timing.duration / least.bound[i] - 1
-        if gap <= GAP:
-            found[i] = Fastest(timing, max(float(gap), 0.0), int(least.exchanges[i]), easings.free + 1)
+        found[i] = Fastest(timing, max(float(gap), 0.0), int(least.exchanges[i]), easings.free + 1)
     return found
 
 
