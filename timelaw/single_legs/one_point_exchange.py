@@ -9,6 +9,8 @@ It is the dual simplex method on a semi-infinite program [R1934].
 """
 
 from dataclasses import dataclass, replace
+from functools import cache
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,9 +32,13 @@ class References:
     orders: Array
     rows: Array
 
-    def take(self, legs: NDArray[np.bool_]) -> "References":
-        """Those of some legs."""
+    def take(self, legs: NDArray[Any]) -> "References":
+        """Those of some legs, by number or mask."""
         return References(self.orders[legs], self.rows[legs])
+
+    def copy(self) -> "References":
+        """Others that are equal."""
+        return References(self.orders.copy(), self.rows.copy())
 
 
 @dataclass(frozen=True)
@@ -52,14 +58,21 @@ def find_least_times(easings: SymmetricEasings, bounds: Array) -> LeastTimes:
     powers = np.arange(1, bounds.shape[1] + 1)
     unit = np.max(bounds ** (-1 / powers), axis=1)
     shares = 1 / (bounds * unit[:, None] ** powers)  # of the limits that f^(k) = 1 uses in the unit time
-    count = len(bounds)
-    chosen, exchanges = np.full((count, easings.free), np.nan), np.zeros(count, dtype=int)
-    bound = np.full(count, np.nan)
-    live, times = np.arange(count), np.zeros(count)  # logarithms of T in the unit
-    references = _begin(easings, shares)
+    peaks = np.array([np.max(np.abs(easings.on_grid[k][0])) for k in powers])
+    hardest = np.argmax((peaks * shares) ** (1 / powers), axis=1)  # for the smoothstep
+    found, _ = _exchange_rows(easings, shares, _list_first_references(easings, len(powers)).take(hardest))
+    return replace(found, bound=unit * np.exp(found.bound))
+
+
+def _exchange_rows(
+    easings: SymmetricEasings, shares: Array, references: References
+) -> tuple[LeastTimes, References]:
+    """Exchange until no limit is broken; log T for T, and the last references."""
+    chosen, bound = np.full((len(shares), easings.free), np.nan), np.full(len(shares), np.nan)
+    exchanges, last = np.zeros(len(shares), dtype=int), references.copy()
+    live, times = np.arange(len(shares)), np.zeros(len(shares))
     for number in range(MOST_EXCHANGES * (easings.free + 1)):
-        matrix = _scale(references, shares[live], times)
-        inverse = _invert(matrix)
+        inverse = _invert(_scale(references, shares[live], times))
         multipliers = inverse[:, -1]
         steps = _balance(references, shares[live], times, multipliers)
         x = _solve_equalities(references, shares[live], times, steps, inverse)
@@ -67,6 +80,7 @@ def find_least_times(easings: SymmetricEasings, bounds: Array) -> LeastTimes:
         broken = find_broken(easings, x, shares[live], times)
         done = broken.excess <= TOLERANCE
         chosen[live[done]], bound[live[done]] = x[done], times[done]
+        last.orders[live[done]], last.rows[live[done]] = references.orders[done], references.rows[done]
         exchanges[live[done]] = number
         go = ~done & np.isfinite(broken.excess) & np.isfinite(times)
         if not np.any(go):
@@ -74,17 +88,15 @@ def find_least_times(easings: SymmetricEasings, bounds: Array) -> LeastTimes:
         broken, live = broken.take(go), live[go]
         leaving = _choose_leaving(broken, shares[live], before[go], multipliers[go], inverse[go])
         references, times = _exchange(references.take(go), leaving, broken), times[go]
-    return LeastTimes(chosen, unit * np.exp(bound), exchanges)
+    return LeastTimes(chosen, bound, exchanges), last
 
 
-def _begin(easings: SymmetricEasings, shares: Array) -> References:
-    """Rows of the order that the smoothstep is limited by."""
-    powers = np.arange(1, shares.shape[1] + 1)
-    peaks = np.array([np.max(np.abs(easings.on_grid[k][0])) for k in powers])
-    hardest = np.argmax((peaks * shares) ** (1 / powers), axis=1)
-    first = np.array([_list_first_rows(easings, k) for k in powers])
-    orders = np.repeat(powers[hardest][:, None], easings.free + 1, axis=1)
-    return References(orders.astype(float), first[hardest])
+@cache
+def _list_first_references(easings: SymmetricEasings, highest: int) -> References:
+    """For each order the last references where only that is limited: most legs are near to one of these."""
+    orders = np.repeat(np.arange(1.0, highest + 1)[:, None], easings.free + 1, axis=1)
+    rows = np.array([_list_first_rows(easings, k) for k in range(1, highest + 1)])
+    return _exchange_rows(easings, np.eye(highest), References(orders, rows))[1]
 
 
 def _list_first_rows(easings: SymmetricEasings, order: int) -> Array:
@@ -150,6 +162,6 @@ def _choose_leaving(broken: Broken, shares: Array, times: Array, multipliers: Ar
 
 def _exchange(references: References, leaving: Array, broken: Broken) -> References:
     """The references with the broken rows in the places of the leaving ones."""
-    orders, rows, legs = references.orders.copy(), references.rows.copy(), np.arange(len(leaving))
-    orders[legs, leaving], rows[legs, leaving] = broken.orders, broken.rows
-    return replace(references, orders=orders, rows=rows)
+    exchanged, legs = references.copy(), np.arange(len(leaving))
+    exchanged.orders[legs, leaving], exchanged.rows[legs, leaving] = broken.orders, broken.rows
+    return exchanged
