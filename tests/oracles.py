@@ -83,7 +83,8 @@ class LinearProgram:
         cosines = np.cos(np.pi * np.arange(4 * self.degree + 1) / (4 * self.degree))
         points = {(leg, k): cosines for leg in range(len(self.angles)) for k in self.limits}
         total = sum(self.angles)
-        high = max((QUINTIC_PEAKS[k - 1] * total / m) ** (1 / k) for k, m in self.limits.items()) * 2.5
+        peaks = (*QUINTIC_PEAKS, 360.0)
+        high = max((peaks[k - 1] * total / m) ** (1 / k) for k, m in self.limits.items()) * 2.5
         upper, lower = np.inf, 0.0
         for _ in range(12):
             lower, solution = self._bisect(points, lower, high, tolerance / 8)

@@ -17,7 +17,7 @@ PLAN = """
 ground:      errors progress interrupts time_limit files results_folder workers units numerics quaternion
 vocabulary:  limits least_time easing objectives
 law wing:    motion law_file certificate
-design wing: problem orientations tours route requirements nlp through bezier time_law
+design wing: problem orientations tours route requirements single_legs nlp through bezier time_law
 meeting:     compose compose_bezier proved_passages passing pipeline pipeline_bezier
 showing:     report export face study reproduce cli
 """

@@ -226,6 +226,6 @@ def test_time_that_cannot_be_stretched_to_the_limits_is_said(monkeypatch):
     broken = Timing(1.0, Profile.single([0.0, np.nan, 1.0]))
     with pytest.raises(InfeasibleError, match="no stretch of time brings the law within its limits"):
         fit_to_limits([demand(1.0, {"velocity": 1.0})], [broken])
-    monkeypatch.setattr(time_scaling, "used_fraction", lambda *_: 1.5)
+    monkeypatch.setattr(time_scaling, "_find_fraction", lambda *_: 1.5)
     with pytest.raises(InfeasibleError, match=r"1\.5 of them is used at the end"):
         fit_to_limits([demand(1.0, {"velocity": 1.0})], [Timing(1.0, Profile.single([0.0, 1.0]))])

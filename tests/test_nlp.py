@@ -15,6 +15,7 @@ from timelaw.nlp import RunProblem, Status
 from timelaw.nlp import exchange as exchange_module
 from timelaw.nlp.ipopt import Outcome
 from timelaw.nlp.single_runs import solve_run
+from timelaw.nlp.solution import GAP
 from timelaw.nlp.verdicts import Verdict
 from timelaw.problem.problem import EasingModel
 
@@ -241,13 +242,13 @@ def test_no_solution_whose_gap_is_above_its_tolerance_is_called_optimal(monkeypa
     """One round leaves excess between its points; the stretch restores the limits, and the status says what is left."""
     monkeypatch.setattr(exchange_module, "ROUNDS", 1)
     solution = solve((120 * DEG,), ROBOT, 13)
-    assert solution.gap > exchange_module.GAP
+    assert solution.gap > GAP
     assert solution.status is Status.GAP_LEFT
     assert used_fraction(demands((120 * DEG,), ROBOT), solution.timings) <= 1
     monkeypatch.undo()
     optimum = solve((120 * DEG,), ROBOT, 13)
     assert optimum.status is Status.OPTIMAL
-    assert optimum.gap <= exchange_module.GAP
+    assert optimum.gap <= GAP
     assert optimum.duration <= solution.duration <= optimum.duration * (1 + 2 * solution.gap)
 
 

@@ -23,6 +23,12 @@ from timelaw.least_time.double_s import double_s_time
 DEG = np.pi / 180
 
 
+def join(durations, controls, start, end, smooth):
+    """One profile."""
+    states, controls = join_pieces(durations, controls[None], start, end, smooth=smooth)
+    return Profile(tuple(map(Piece, durations.tolist(), states[0], controls[0])))
+
+
 def exact(piece: Piece, order: int) -> list[Fraction]:
     """Control points of the k-th derivative over the piece, exactly: by powers of u, and back."""
     n, h = len(piece.control) - 1, Fraction(piece.duration)
@@ -115,7 +121,7 @@ def test_joined_pieces_share_their_states_and_end_where_they_should(seed):
     controls = rng.normal(size=(count, width))
     start, end = rng.normal(size=(2, size))
     smooth = bool(seed % 2) and count > 1
-    profile = join_pieces(durations, controls, start, end, smooth=smooth)
+    profile = join(durations, controls, start, end, smooth)
     scale = max(1.0, *(np.max(np.abs(p.control)) for p in profile.pieces))
     for order in range(size + smooth):
         rates = profile.derivative(order)
@@ -130,7 +136,7 @@ def test_what_is_joined_is_changed_by_no_more_than_was_missing():
     """A polynomial that already ends where it should keeps its control points."""
     coefficients = np.array([0, 0, 0, 10, -15, 6])
     control = np.array([60.0, -120.0, 60.0])
-    profile = join_pieces(np.ones(1), control[None], np.zeros(3), np.array([1.0, 0, 0]), smooth=False)
+    profile = join(np.ones(1), control[None], np.zeros(3), np.array([1.0, 0, 0]), smooth=False)
     np.testing.assert_allclose(profile.pieces[0].control, control, rtol=1e-13)
     tau = np.linspace(0, 1, 50)
     np.testing.assert_allclose(profile(tau), power.polyval(tau, coefficients), atol=1e-14)

@@ -70,6 +70,11 @@ class Family(Protocol):
         """Whether the double-S profile over a run counts as one of its laws."""
         ...
 
+    @property
+    def polynomials(self) -> PolynomialBasis | None:
+        """The basis that all legs have, if it is the same one polynomial."""
+        ...
+
 
 @dataclass(frozen=True)
 class PolynomialFamily:
@@ -108,6 +113,11 @@ class PolynomialFamily:
     def has_profile(self, demands: Sequence[Demand]) -> bool:  # noqa: ARG002
         """Its laws have one piece a leg."""
         return False
+
+    @property
+    def polynomials(self) -> PolynomialBasis | None:
+        """Whatever is demanded."""
+        return PolynomialBasis(self.degree, self.continuity)
 
 
 @dataclass(frozen=True)
@@ -182,6 +192,11 @@ class SplineFamily:
         """Of degree 3, where it is as smooth as they are."""
         return self.degree <= PROFILE_DEGREE and classify_profile(demands) >= self.continuity
 
+    @property
+    def polynomials(self) -> PolynomialBasis | None:
+        """None: the breaks are those of the leg's own profile."""
+        return None
+
 
 def classify_profile(demands: Sequence[Demand]) -> int:
     """The class C^k of the double-S profile: 2 where jerk is limited, 1 where acceleration is, else 0."""
@@ -223,6 +238,11 @@ class DoubleSFamily:
     def has_profile(self, demands: Sequence[Demand]) -> bool:  # noqa: ARG002
         """Nothing else."""
         return True
+
+    @property
+    def polynomials(self) -> PolynomialBasis | None:
+        """None: it is in pieces."""
+        return None
 
 
 def _peak(angles: Sequence[float], timings: Sequence[Timing], order: int) -> float:

@@ -8,7 +8,6 @@ from functools import lru_cache
 
 import numpy as np
 
-from timelaw.easing.profile import Piece, Profile
 from timelaw.numerics.array import Array, freeze
 from timelaw.numerics.state_form import derive
 
@@ -16,24 +15,25 @@ KEPT = 16  # matrices that depend on nothing but the lengths of the pieces
 REPETITIONS = 2  # the second takes what rounding left of the first
 
 
-def join_pieces(durations: Array, controls: Array, start: Array, end: Array, *, smooth: bool) -> Profile:
-    """The profile from the state `start` (c+1,) to `end` (c+1,) whose next derivative is given.
+def join_pieces(
+    durations: Array, controls: Array, start: Array, end: Array, *, smooth: bool
+) -> tuple[Array, Array]:
+    """States (m, p, c+1) at the starts of the pieces and `controls` (m, p, w) of the next derivative.
 
-    `controls` (p, m+1) are its control points on pieces of `durations` (p,). Where it is `smooth`
-    that is continuous: neighbours share its control point.
+    For m profiles on pieces of the same `durations` (p,), all from the state `start` (c+1,) to `end` (c+1,).
+    Where they are `smooth` the next derivative is continuous: neighbours share its control point.
     """
     controls = np.array(controls)
     if smooth:
-        controls[1:, 0] = controls[:-1, -1] = (controls[1:, 0] + controls[:-1, -1]) / 2
-    share = _sharing(*controls.shape, smooth=smooth)
-    effect = _end_effect(tuple(durations.tolist()), controls.shape[1], len(start)) @ share
+        controls[:, 1:, 0] = controls[:, :-1, -1] = (controls[:, 1:, 0] + controls[:, :-1, -1]) / 2
+    share = _sharing(*controls.shape[1:], smooth=smooth)
+    effect = _end_effect(tuple(durations.tolist()), controls.shape[2], len(start)) @ share
     for _ in range(REPETITIONS):
-        missing = end - _chain(durations, controls, start)[-1]
+        missing = end - _chain(durations, controls, start)[:, -1]
         # least-norm by the normal equations, which are of the size of a state
-        weights = np.linalg.solve(effect @ effect.T, missing)
-        controls = controls + (share @ (effect.T @ weights)).reshape(controls.shape)
-    states = _chain(durations, controls, start)
-    return Profile(tuple(map(Piece, durations.tolist(), states[:-1], controls)))
+        weights = np.linalg.solve(effect @ effect.T, missing.T)
+        controls = controls + (share @ (effect.T @ weights)).T.reshape(controls.shape)
+    return _chain(durations, controls, start)[:, :-1], controls
 
 
 def _sharing(count: int, width: int, *, smooth: bool) -> Array:
@@ -79,9 +79,12 @@ def _carry(states: Array, times: Array) -> Array:
 
 
 def _chain(durations: Array, controls: Array, start: Array) -> Array:
-    """States (p+1, c+1) at the starts of the pieces and at the end of the last, one after the other."""
-    own = _end_states(durations, np.zeros((len(durations), len(start))), controls)
-    states = [np.asarray(start, dtype=float)]
-    for width, gained in zip(durations, own, strict=True):
-        states.append(_carry(states[-1][None], np.array([width]))[0] + gained)
-    return np.array(states)
+    """States (m, p+1, c+1) at the starts of the pieces and at the end of the last, one after the other."""
+    count, pieces, width = controls.shape
+    own = _end_states(
+        np.tile(durations, count), np.zeros((count * pieces, len(start))), controls.reshape(-1, width)
+    ).reshape(count, pieces, -1)
+    states = [np.tile(start, (count, 1))]
+    for piece, duration in enumerate(durations):
+        states.append(_carry(states[-1], np.full(count, duration)) + own[:, piece])
+    return np.stack(states, axis=1)

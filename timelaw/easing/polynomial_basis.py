@@ -2,20 +2,21 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from timelaw.easing.joining import join_pieces
-from timelaw.easing.profile import Profile
-from timelaw.numerics.array import Array
-from timelaw.numerics.bernstein import basis_matrix, differentiate, hermite_matrix, split
+from timelaw.easing.profile import Piece, Profile
+from timelaw.numerics.array import Array, freeze
+from timelaw.numerics.bernstein import basis_matrix, differentiate, halving_matrix, hermite_matrix
+from timelaw.numerics.state_form import derive
 
 CONDITIONED_ORDER = 3  # the highest derivative that is limited depends most wildly on control points
 GRID = 8  # points per degree on which extrema are looked for
 MOST_PIECES = 16
-SAMPLES = 65  # of a rate, to know its size
+SAMPLES = 64  # steps between those of a rate, to know its size
 WELL_ROUNDED = 1e-11  # relative: what rounding may leave of a rate
 SIZE = 100.0  # of that derivative, typically: the quintic's third derivative peaks at 60
 
@@ -75,17 +76,27 @@ class PolynomialBasis:
 
     def easing(self, left: Array, free: Array, right: Array) -> Profile:
         """The easing with the coefficients x and exactly the derivatives g(0) and g(1) (r+1,) at its ends."""
-        control = self.from_left @ left + self.from_right @ right
-        control[self._inner] += np.linalg.solve(self._effect[1], SIZE * free)  # loses less than its inverse
-        pieces = [differentiate(control, self.continuity + 1)]
-        while True:
-            width = 1 / len(pieces)
-            easing = join_pieces(
-                np.full(len(pieces), width), np.array(pieces), left, right, smooth=len(pieces) > 1
+        return self.list_easings(left, free[None], right)[0]
+
+    def list_easings(self, left: Array, free: Array, right: Array) -> list[Profile]:
+        """Easings with coefficients x (m, free), all with the same derivatives at their ends."""
+        control = np.tile(self.from_left @ left + self.from_right @ right, (len(free), 1))
+        # loses less than its inverse
+        control[:, self._inner] += np.linalg.solve(self._effect[1], SIZE * free.T).T
+        pieces = differentiate(control, self.continuity + 1)[:, None]
+        found, open_ = dict[int, Profile](), np.arange(len(free))
+        while len(open_):
+            count = pieces.shape[1]
+            widths = np.full(count, 1 / count)
+            states, controls = join_pieces(widths, pieces, left, right, smooth=count > 1)
+            done = _are_well_rounded(widths, states, controls) | (count >= MOST_PIECES)
+            for i in np.flatnonzero(done):
+                found[int(open_[i])] = Profile(tuple(map(Piece, widths.tolist(), states[i], controls[i])))
+            open_, pieces = open_[~done], pieces[~done]
+            pieces = (pieces @ halving_matrix(pieces.shape[2] - 1).T).reshape(
+                len(open_), 2 * count, pieces.shape[2]
             )
-            if len(pieces) >= MOST_PIECES or _is_well_rounded(easing, self.continuity):
-                return easing
-            pieces = [half for piece in pieces for half in split(piece, 0.5)]
+        return [found[i] for i in range(len(free))]
 
     def values(self, tau: ArrayLike, order: int) -> Array:
         """Matrix (m, d+1) that takes control points to the k-th derivative at the points τ (m,)."""
@@ -112,23 +123,38 @@ class PolynomialBasis:
 
         They are read off the third derivative, in which they are independent: what the ends leave of it.
         """
-        left, right = ([float(easing(end, i)) for i in range(self.continuity + 1)] for end in (0.0, 1.0))
+        orders = range(self.continuity + 1)
+        left, right = (np.array([float(easing(end, i)) for i in orders]) for end in (0.0, 1.0))
         tau = self.points([CONDITIONED_ORDER])
-        fixed = self.values(tau, CONDITIONED_ORDER) @ (self.from_left @ left + self.from_right @ right)
-        return np.array(self._effect[0].T @ (easing(tau, CONDITIONED_ORDER) - fixed) / SIZE)
+        return self.free_from(easing(tau, CONDITIONED_ORDER), left, right)
+
+    def free_from(self, values: Array, left: Array, right: Array) -> Array:
+        """X (..., free) of easings from their third derivatives (..., m) at its points."""
+        ends = self.from_left @ left + self.from_right @ right
+        fixed = self.values(self.points([CONDITIONED_ORDER]), CONDITIONED_ORDER) @ ends
+        return np.asarray((values - fixed) @ self._effect[0] / SIZE)
 
 
-def _is_well_rounded(easing: Profile, continuity: int) -> bool:
-    """Whether the rates are known to far less than what counts as a jump.
+def _are_well_rounded(durations: Array, states: Array, controls: Array) -> NDArray[np.bool_]:
+    """Whether the rates of each are known to far less than what counts as a jump (m,).
 
     High derivatives of high degree have control points far beyond their values, which halving brings down.
     """
-    tau = np.linspace(0.0, 1.0, SAMPLES)
-    return all(
-        max(rate.error for rate in easing.derivative(order))
-        <= WELL_ROUNDED * float(np.max(np.abs(easing(tau, order))))
-        for order in range(1, continuity + 1)
-    )
+    count, pieces, size = states.shape
+    stacked = np.tile(durations, count), states.reshape(-1, size), controls.reshape(count * pieces, -1)
+    well = np.full(count, True)
+    for order in range(1, size):
+        rates, error = derive(*stacked, order)
+        samples = rates @ _sampling(rates.shape[1] - 1, SAMPLES // pieces)
+        largest = np.max(np.abs(samples).reshape(count, -1), axis=1)
+        well &= np.max(error.reshape(count, -1), axis=1) <= WELL_ROUNDED * largest
+    return well
+
+
+@cache
+def _sampling(degree: int, steps: int) -> Array:
+    """Matrix (d+1, m) from control points to values at equal steps."""
+    return freeze(basis_matrix(degree, np.linspace(0.0, 1.0, steps + 1)).T)
 
 
 def _chebyshev(intervals: int) -> Array:

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from timelaw.easing.profile import Piece, Profile
-from timelaw.easing.time_scaling import fit_to_limits
+from timelaw.easing.time_scaling import fit_runs, fit_to_limits
 from timelaw.easing.timing import Timing
 from timelaw.limits import Demand
 from timelaw.numerics.array import Array
@@ -30,7 +30,13 @@ def time_leg(demand: Demand, continuity: int) -> Timing:
     The quintic's derivatives peak at 15/8, 10/√3 and 60, so that under norm limits
     T = max(1.875 θ/w, √(5.7735 θ/a), ∛(60 θ/j)).
     """
-    return fit_to_limits([demand], [Timing(1.0, Profile.single(control_points(continuity), continuity))])[0]
+    return time_legs([demand], continuity)[0]
+
+
+def time_legs(demands: Sequence[Demand], continuity: int) -> list[Timing]:
+    """The smoothstep over each of many legs that are independent of each other."""
+    plain = Timing(1.0, Profile.single(control_points(continuity), continuity))
+    return [timing for (timing,) in fit_runs([[d] for d in demands], [[plain]] * len(demands))]
 
 
 def time_run(demands: Sequence[Demand], continuity: int) -> tuple[Timing, ...]:

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from functools import partial
+from itertools import compress
 from math import inf
 
 from timelaw.easing.timing import Timing
@@ -17,18 +18,12 @@ ROOT_TOLERANCE = 1e-14  # relative, of a factor found as a root; the clearance c
 
 def list_used(demands: Sequence[Demand], timings: Sequence[Timing]) -> list[tuple[Row, float]]:
     """Every row of every leg with its proved peak over its bound."""
-    found = [
-        (row, polynomial)
-        for demand, timing in zip(demands, timings, strict=True)
-        for row, _, polynomial in expand_rows(demand.rows, partial(timing.rates, demand.angle))
-    ]
-    tops = enclose_peaks([polynomial for _, polynomial in found])
-    return [(row, top.upper / row.bound) for (row, _), top in zip(found, tops, strict=True)]
+    return _list_used_by_run([demands], [timings])[0]
 
 
 def used_fraction(demands: Sequence[Demand], timings: Sequence[Timing]) -> float:
     """The largest part of any limit that is used, proved: above 1, a limit is broken."""
-    return max(float(ratio ** (1 / row.root)) for row, ratio in list_used(demands, timings))
+    return _find_fraction(list_used(demands, timings))
 
 
 def fit_to_limits(demands: Sequence[Demand], timings: Sequence[Timing]) -> tuple[Timing, ...]:
@@ -39,7 +34,7 @@ def fit_to_limits(demands: Sequence[Demand], timings: Sequence[Timing]) -> tuple
     Raises:
         InfeasibleError: the law does not come within its limits, as where its numbers are not finite.
     """
-    return hold_limits(demands, scale_to_limits(demands, timings))
+    return fit_runs([demands], [timings])[0]
 
 
 def scale_to_limits(demands: Sequence[Demand], timings: Sequence[Timing]) -> tuple[Timing, ...]:
@@ -48,47 +43,94 @@ def scale_to_limits(demands: Sequence[Demand], timings: Sequence[Timing]) -> tup
     Raises:
         InfeasibleError: no factor does.
     """
-    factor = _find_factor(demands, timings)
-    if not 0 < factor < inf:
-        raise _say_how_far(demands, timings)
-    return _stretch(timings, factor * (1 + CLEARANCE))
+    return _scale(demands, timings, list_used(demands, timings))
 
 
 def hold_limits(demands: Sequence[Demand], timings: Sequence[Timing]) -> tuple[Timing, ...]:
     """Timings that hold their limits but for rounding, stretched further until it is proved that they do.
 
-    A few repetitions with a growing clearance absorb the rounding.
-
     Raises:
         InfeasibleError: they do not come within their limits.
     """
-    held, clearance = tuple(timings), CLEARANCE
+    return _hold_runs([demands], [timings])[0]
+
+
+def fit_runs(runs: Sequence[Sequence[Demand]], laws: Sequence[Sequence[Timing]]) -> list[tuple[Timing, ...]]:
+    """Runs that are independent of each other, each by its own factor; all peaks are proved at once.
+
+    Raises:
+        InfeasibleError: a law does not come within its limits, as where its numbers are not finite.
+    """
+    used = _list_used_by_run(runs, laws)
+    return _hold_runs(runs, [_scale(*one) for one in zip(runs, laws, used, strict=True)])
+
+
+def _scale(
+    demands: Sequence[Demand], timings: Sequence[Timing], used: Sequence[tuple[Row, float]]
+) -> tuple[Timing, ...]:
+    factor = _find_factor(demands, timings, used)
+    if not 0 < factor < inf:
+        raise _say_how_far(used)
+    return _stretch(timings, factor * (1 + CLEARANCE))
+
+
+def _hold_runs(
+    runs: Sequence[Sequence[Demand]], laws: Sequence[Sequence[Timing]]
+) -> list[tuple[Timing, ...]]:
+    """A few repetitions with a growing clearance absorb the rounding."""
+    held, clearance, open_ = [tuple(timings) for timings in laws], CLEARANCE, list(range(len(runs)))
     for _ in range(REPETITIONS):
-        if used_fraction(demands, held) <= 1:
+        used = _list_used_by_run([runs[i] for i in open_], [held[i] for i in open_])
+        over = [not _find_fraction(rows) <= 1 for rows in used]  # or no number
+        open_, used = list(compress(open_, over)), list(compress(used, over))
+        if not open_:
             return held
         clearance *= 10
-        held = _stretch(held, _find_factor(demands, held) * (1 + clearance))
-    raise _say_how_far(demands, held)
+        for i, rows in zip(open_, used, strict=True):
+            held[i] = _stretch(held[i], _find_factor(runs[i], held[i], rows) * (1 + clearance))
+    raise _say_how_far(used[0])
 
 
-def _say_how_far(demands: Sequence[Demand], timings: Sequence[Timing]) -> InfeasibleError:
-    used = used_fraction(demands, timings)
+def _say_how_far(used: Sequence[tuple[Row, float]]) -> InfeasibleError:
+    part = _find_fraction(used)
     return InfeasibleError(
-        f"no stretch of time brings the law within its limits: {used:.9g} of them is used at the end"
+        f"no stretch of time brings the law within its limits: {part:.9g} of them is used at the end"
     )
+
+
+def _list_used_by_run(
+    runs: Sequence[Sequence[Demand]], laws: Sequence[Sequence[Timing]]
+) -> list[list[tuple[Row, float]]]:
+    """Of each run every row of every leg with its proved peak over its bound."""
+    found = [
+        (run, row, polynomial)
+        for run, (demands, timings) in enumerate(zip(runs, laws, strict=True))
+        for demand, timing in zip(demands, timings, strict=True)
+        for row, _, polynomial in expand_rows(demand.rows, partial(timing.rates, demand.angle))
+    ]
+    tops = enclose_peaks([polynomial for *_, polynomial in found])
+    used: list[list[tuple[Row, float]]] = [[] for _ in runs]
+    for (run, row, _), top in zip(found, tops, strict=True):
+        used[run].append((row, top.upper / row.bound))
+    return used
+
+
+def _find_fraction(used: Sequence[tuple[Row, float]]) -> float:
+    return max(float(ratio ** (1 / row.root)) for row, ratio in used)
 
 
 def _stretch(timings: Sequence[Timing], factor: float) -> tuple[Timing, ...]:
     return tuple(timing.stretched(factor) for timing in timings)
 
 
-def _find_factor(demands: Sequence[Demand], timings: Sequence[Timing]) -> float:
+def _find_factor(
+    demands: Sequence[Demand], timings: Sequence[Timing], used: Sequence[tuple[Row, float]]
+) -> float:
     """The factor by which time is stretched until the worst limit is just held.
 
     Where every row is homogeneous, g falls as time^power and the factor is exact. A row whose terms fall by
     different powers gives a bracket, and the factor is the root of used part = 1 in it.
     """
-    used = list_used(demands, timings)
     factors: list[list[float]] = [[ratio ** (1 / power) for power in row.powers] for row, ratio in used]
     least, most = max(min(f) for f in factors), max(max(f) for f in factors)
     if least == most or not most < inf:

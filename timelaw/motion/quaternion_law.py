@@ -1,6 +1,6 @@
 """The motion of the body as a function of time: orientation, matrices, and rates in body axes."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING

@@ -20,7 +20,7 @@ from timelaw.nlp.extrema_search import add_departures, add_extrema
 from timelaw.nlp.ipopt import Outcome, solve
 from timelaw.nlp.program import Program
 from timelaw.nlp.rooms import list_points, list_rooms, list_stays
-from timelaw.nlp.solution import Solution, Status, sum_durations
+from timelaw.nlp.solution import GAP, Solution, Status, sum_durations
 from timelaw.nlp.transcription import transcribe
 from timelaw.nlp.variables import Variables
 from timelaw.nlp.verdicts import Verdict
@@ -28,7 +28,6 @@ from timelaw.numerics.array import Array
 from timelaw.time_limit import is_late
 
 STATUSES = {Verdict.SOLVED: Status.OPTIMAL, Verdict.STOPPED: Status.STOPPED}
-GAP = 1e-6  # relative: what the limits between the points may still cost, in time or in their used part
 FALLEN = 1e-2  # of an effort: by so much less than its start's it is measured anew
 RESCALED = 6  # times
 COARSE = 1e-3  # relative: near enough for the factor of a large program that has no solution

@@ -1,17 +1,21 @@
-"""Solve every distinct run of a route once."""
+"""Solve every distinct run of a route once: plain legs together, others one by one."""
 
 from collections.abc import Callable, Iterator, Sequence
 from math import inf
 
+from timelaw.easing import smoothstep
+from timelaw.easing.polynomial_basis import PolynomialBasis
 from timelaw.errors import Fault, InfeasibleError
 from timelaw.nlp.elastic_runs import solve_elastic
 from timelaw.nlp.given_runs import solve_given
 from timelaw.nlp.program import RunProblem
-from timelaw.nlp.solution import Solution, Timings
+from timelaw.nlp.solution import GAP, Solution, Status, Timings
 from timelaw.progress import Progress
+from timelaw.single_legs.least_times import are_rates_limited, solve_legs
 from timelaw.time_limit import is_late
 
 Solved = dict[RunProblem, Solution]
+TOGETHER = 500  # legs, after which the clock is looked at: less than a second, with degree 31 two
 
 
 def solve_runs(
@@ -36,13 +40,17 @@ def solve_distinct(
         InfeasibleError: a run with given times or rates has no solution; how many were not tried is told.
     """
     distinct = list({problem.key(): problem for problem in problems}.values())
+    plain = [p for p in distinct if _find_polynomials(p) and p not in (solved or {})]
+    together: Solved = {}
     for index, problem in enumerate(distinct):
         if progress is not None:
             progress("solving distinct runs", index, len(distinct))
         found = (solved or {}).get(problem)
         try:
             most = enough(problem)
-            found = found or solve_run(problem, most)
+            if plain and problem is plain[0]:
+                together, plain = solve_plain(plain[:TOGETHER]), plain[TOGETHER:]
+            found = found or together.get(problem) or solve_run(problem, most)
         except InfeasibleError as error:
             untried = sum(not other.elastic for other in distinct[index + 1 :])
             what = "run" if untried == 1 else "runs"
@@ -53,11 +61,34 @@ def solve_distinct(
         yield found
 
 
+def _find_polynomials(problem: RunProblem) -> PolynomialBasis | None:
+    """The polynomials of a plain run: one leg from rest to rest, under nothing but limits on rates."""
+    plain = problem.elastic and len(problem.demands) == 1 and are_rates_limited(problem.demands[0])
+    return problem.family.polynomials if plain else None
+
+
+def solve_plain(problems: Sequence[RunProblem]) -> Solved:
+    """Least-time solutions of plain runs of one family, without those that rounding keeps from it.
+
+    Where the time is over they are smoothsteps.
+    """
+    basis, legs = _find_polynomials(problems[0]), [problem.demands[0] for problem in problems]
+    if basis is None:
+        return {}
+    if is_late():
+        slow = smoothstep.time_legs(legs, basis.continuity)
+        return {p: Solution((timing,), Status.STOPPED) for p, timing in zip(problems, slow, strict=True)}
+    return {
+        problem: Solution((leg.timing,), Status.OPTIMAL, leg.exchanges, 1, leg.gap, leg.rows)
+        for problem, leg in zip(problems, solve_legs(legs, basis), strict=True)
+        if leg is not None and leg.gap <= GAP
+    }
+
+
 def assign_solutions(problems: Sequence[RunProblem], solutions: Sequence[Solution]) -> Timings:
     """The solution of each run from those of the distinct ones, in the order in which these first appear."""
-    keys = [problem.key() for problem in problems]
-    distinct = list(dict.fromkeys(keys))
-    of_run = tuple(distinct.index(key) for key in keys)
+    first: dict[object, int] = {}
+    of_run = tuple(first.setdefault(problem.key(), len(first)) for problem in problems)
     timings = tuple(timing for index in of_run for timing in solutions[index].timings)
     return Timings(timings, tuple(solutions), of_run)
 

@@ -7,6 +7,8 @@ from enum import Enum
 from timelaw.easing import Timing
 from timelaw.nlp.verdicts import Verdict
 
+GAP = 1e-6  # relative: what the limits between the points may still cost, in time or in their used part
+
 
 class Status(Enum):
     """How a program was solved; the text says what to do about it."""

@@ -25,11 +25,11 @@ def time_quintic(requirements: Requirements, budgets: Sequence[Budget] = ()) -> 
 
     Where a leg's duration is fixed, that is its time, whether or not the quintic can keep the limits in it.
     """
-    known: dict[object, Timing] = {}
-    for demand in requirements.demands:
-        if demand.key() not in known:
-            known[demand.key()] = _fixed(demand, smoothstep.time_leg(demand, PAPER_CONTINUITY))
-    return _on_time(QUINTIC, [known[d.key()] for d in requirements.demands], requirements, budgets)
+    keys = [demand.key() for demand in requirements.demands]
+    distinct = dict(zip(keys, requirements.demands, strict=True))
+    timings = smoothstep.time_legs(list(distinct.values()), PAPER_CONTINUITY)
+    known = {key: _fixed(distinct[key], timing) for key, timing in zip(distinct, timings, strict=True)}
+    return _on_time(QUINTIC, [known[key] for key in keys], requirements, budgets)
 
 
 def time_double_s(

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from timelaw.nlp.exchange import GAP
+from timelaw.nlp.solution import GAP
 from timelaw.report.section import FOLDED, Facts, Section
 from timelaw.report.summary import join_alike, list_run_rows
 
