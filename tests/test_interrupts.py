@@ -11,8 +11,9 @@ from textwrap import dedent
 import pytest
 
 from tests.cases import PROBLEMS
+from tests.tasks import DEADLY, DEFECT, FRAIL, WRONG, double
 from timelaw import interrupts
-from timelaw.errors import Fault, InfeasibleError, InputError
+from timelaw.errors import InfeasibleError, InputError
 from timelaw.interrupts import Interrupted, check_interrupted, finish_work, shield
 from timelaw.workers import run_tasks
 
@@ -169,26 +170,22 @@ def test_where_the_last_step_fails_the_signal_counts(state):
         check_interrupted()
 
 
-def double(number):
-    if number == 3:
-        raise InputError(Fault("three", "where", "path", 1, 2))
-    if number == 4:
-        os.kill(os.getpid(), signal.SIGKILL)
-    if number == 5:
-        raise ZeroDivisionError("five")
-    return 2 * number
+def test_workers_return_what_is_done_and_what_is_raised():
+    assert dict(run_tasks(double, [], 2)) == {}
+    found = dict(run_tasks(double, [(0,), (WRONG,), (DEFECT,), (2,)], 2))
+    assert (found[0], found[3]) == (0, 4)
+    assert isinstance(found[1], InputError)
+    assert str(found[1]) == "path:1:2: where: three"
+    assert isinstance(found[2], ZeroDivisionError)
+    assert "in double" in found[2].__notes__[0]
 
 
-def test_workers_return_what_is_done_and_raise_what_is_raised():
-    assert dict(run_tasks(double, [(0,), (1,), (2,)], 2)) == {0: 0, 1: 2, 2: 4}
-    with pytest.raises(InputError) as raised:
-        dict(run_tasks(double, [(1,), (3,)], 1))
-    assert str(raised.value) == "path:1:2: where: three"
-    with pytest.raises(InfeasibleError, match=r"ended from outside .*-9"):
-        dict(run_tasks(double, [(4,)], 1))
-    with pytest.raises(ZeroDivisionError) as defect:
-        dict(run_tasks(double, [(5,)], 1))
-    assert "in double" in defect.value.__notes__[0]
+def test_what_a_killed_worker_did_is_done_again_but_not_for_ever(tmp_path):
+    tasks = [(FRAIL, tmp_path / "mark"), (DEADLY,), (1,)]
+    found = dict(run_tasks(double, tasks, 1))
+    assert (found[0], found[2]) == (12, 2)
+    assert isinstance(found[1], InfeasibleError)
+    assert "ended from outside (exit code -9), 3 times" in str(found[1])
 
 
 def list_processes(group):
