@@ -124,14 +124,21 @@ def open_log(folder: Path) -> Iterator[SweepLog]:
     try:
         with _naming(path):
             log = SweepLog(path, descriptor)
-        yield log
+        try:
+            yield log
+        finally:
+            if os.fstat(descriptor).st_size == len(HEAD):
+                _remove(path, made)
     finally:
-        if os.fstat(descriptor).st_size <= len(HEAD):
-            with suppress(OSError):
-                path.unlink()
-                for one in made:
-                    one.rmdir()
         os.close(descriptor)
+
+
+def _remove(path: Path, made: list[Path]) -> None:
+    """A log without outcomes, and the folders that were made for it and hold nothing else."""
+    with suppress(OSError):
+        path.unlink()
+        for folder in made:
+            folder.rmdir()
 
 
 def _open_alone(path: Path) -> int:
