@@ -10,7 +10,7 @@ from timelaw.cli.app import run_command
 CHEAP = """\
 timelaw: 1
 name: p
-route: {tour: given, orientations: {list: [[1, 0, 0, 0], [0.8, 0.6, 0, 0], [0, 0, 1, 0]]}}
+route: {tour: given, orientations: {list: [[1, 0, 0, 0], [0.8, 0.6, 0, 0], [0, 1, 0, 0]]}}
 limits: {velocity: 60 deg/s, acceleration: 120 deg/s^2, jerk: 600 deg/s^3}
 easing: {basis: double-s}
 baselines: []

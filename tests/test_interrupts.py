@@ -1,7 +1,6 @@
 """Signals at chosen moments: exit codes, one object, nothing written, nobody left; see also tests.interrupts."""
 
 import json
-import os
 import signal
 import subprocess
 import sys
@@ -10,7 +9,6 @@ from textwrap import dedent
 
 import pytest
 
-from tests.cases import PROBLEMS
 from tests.tasks import DEADLY, DEFECT, FRAIL, WRONG, double
 from timelaw import interrupts
 from timelaw.errors import InfeasibleError, InputError
@@ -186,43 +184,3 @@ def test_what_a_killed_worker_did_is_done_again_but_not_for_ever(tmp_path):
     assert (found[0], found[2]) == (12, 2)
     assert isinstance(found[1], InfeasibleError)
     assert "ended from outside (exit code -9), 3 times" in str(found[1])
-
-
-def list_processes(group):
-    """The processes of a group that are alive."""
-    found = []
-    for entry in os.listdir("/proc"):
-        if entry.isdigit():
-            try:
-                with open(f"/proc/{entry}/stat") as file:
-                    state, _, of = file.read().rpartition(")")[2].split()[:3]
-            except OSError:
-                continue
-            if int(of) == group and state != "Z":
-                found.append(int(entry))
-    return found
-
-
-@pytest.mark.skipif(not os.path.exists("/proc/self/stat"), reason="there is no /proc here")
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
-def test_the_processes_of_a_sweep_end_with_it(tmp_path, number):
-    (tmp_path / "p.yaml").write_text((PROBLEMS / "paper-24-cell.yaml").read_text())
-    vary = "vary: {easing.degree: {from: 7, to: 31, steps: 25}}\n"
-    (tmp_path / "s.yaml").write_text(f"timelaw-study: 1\nname: s\nproblem: p.yaml\n{vary}")
-    command = [sys.executable, "-m", "timelaw", "sweep", "s.yaml", "--processes", "2", "--json"]
-    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
-    process = subprocess.Popen(
-        command, cwd=tmp_path, start_new_session=True, preexec_fn=listen, text=True, **pipes
-    )
-    ends = time.monotonic() + AT_MOST
-    while len(list_processes(process.pid)) < 4 and time.monotonic() < ends:  # two, the tracker of resources
-        time.sleep(0.05)
-    time.sleep(0.5)
-    process.send_signal(number)
-    returned, out = end(process)
-    assert returned == {signal.SIGINT: 130, signal.SIGTERM: 143, signal.SIGKILL: -9}[number]
-    assert number == signal.SIGKILL or json.loads(out)["exit_code"] == returned
-    while list_processes(process.pid) and time.monotonic() < ends:
-        time.sleep(0.05)
-    assert not list_processes(process.pid)
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["p.yaml", "s.yaml"]

@@ -39,7 +39,7 @@ def test_outcomes_are_read_back_bit_for_bit(tmp_path):
         assert dict(log) == {"a": OUTCOME, "b": NONE}
         assert not log.cut_off
         assert log.unreadable == 0
-    assert [entry["efforts"] for entry in read_entries(tmp_path / "new" / "o" / NAME)][0]["snap"] is None
+    assert next(read_entries(tmp_path / "new" / "o" / NAME))["efforts"]["snap"] is None
 
 
 def test_a_log_cut_off_anywhere_loses_one_line_at_most(tmp_path):
