@@ -121,6 +121,8 @@ def test_the_command_writes_table_and_picture(tmp_path):
         str(tmp_path / "s.yaml"),
         "-o",
         str(tmp_path / "o"),
+        "--processes",
+        "1",
         "--json",
     ]
     done = subprocess.run(command, capture_output=True, text=True, check=False)

@@ -240,7 +240,7 @@ def interrupt_often(study, output, count, signals):
 @pytest.mark.parametrize(
     ("count", "signals"),
     [
-        (60, (signal.SIGKILL, signal.SIGINT)),
+        (40, (signal.SIGKILL, signal.SIGINT)),
         pytest.param(300, (signal.SIGKILL, signal.SIGINT, signal.SIGTERM), marks=pytest.mark.campaign),
     ],
 )

@@ -52,7 +52,10 @@ def run_tasks(function: Callable[..., Any], tasks: Sequence[tuple[Any, ...]], pr
     busy: dict[_Worker, _Job] = {}
     try:
         for _ in range(min(processes, len(tasks))):
-            _give(_start(crew, function), waiting, busy)
+            _start(crew)
+        for worker in crew:
+            _send(worker, function)
+            _give(worker, waiting, busy)
         while busy:
             worker = _wait_for_any(list(busy))
             job = busy.pop(worker)
@@ -60,7 +63,9 @@ def run_tasks(function: Callable[..., Any], tasks: Sequence[tuple[Any, ...]], pr
             if answer is None:
                 crew.remove(worker)
                 answer = _take_up_again(worker, job, waiting)
-                worker = _start(crew, function) if waiting else worker
+                if waiting:
+                    worker = _start(crew)
+                    _send(worker, function)
             _give(worker, waiting, busy)
             if answer is not None:
                 yield job.number, answer[0]
@@ -71,12 +76,12 @@ def run_tasks(function: Callable[..., Any], tasks: Sequence[tuple[Any, ...]], pr
             worker.process.join()
 
 
-def _start(crew: list[_Worker], function: Callable[..., Any]) -> _Worker:
+def _start(crew: list[_Worker]) -> _Worker:
     """A new process that no signal from the terminal reaches: who ends it is who started it."""
     context = get_context("spawn")
     with shield(), _blocked_signals():
         here, there = context.Pipe()
-        process = context.Process(target=_serve, args=(there, os.getpid(), function), daemon=True)
+        process = context.Process(target=_serve, args=(there, os.getpid()), daemon=True)
         process.start()
         crew.append(_Worker(process, here))
         there.close()
@@ -98,11 +103,16 @@ def _blocked_signals() -> Iterator[None]:
 
 
 def _give(worker: _Worker, waiting: deque[_Job], busy: dict[_Worker, _Job]) -> None:
-    """The next job, if one waits; that the process has ended already shows when it is waited for."""
+    """The next job, if one waits."""
     if waiting:
         busy[worker] = waiting.popleft()
-        with suppress(ConnectionError):
-            worker.pipe.send(busy[worker].task)
+        _send(worker, busy[worker].task)
+
+
+def _send(worker: _Worker, message: Any) -> None:
+    """That the process has ended already shows when it is waited for."""
+    with suppress(ConnectionError):
+        worker.pipe.send(message)
 
 
 def _wait_for_any(crew: Sequence[_Worker]) -> _Worker:
@@ -130,15 +140,16 @@ def _take_up_again(worker: _Worker, job: _Job, waiting: deque[_Job]) -> tuple[In
     return (InfeasibleError(f"{message}, perhaps for want of memory; use fewer with --processes"),)
 
 
-def _serve(pipe: Connection, parent: int, function: Callable[..., Any]) -> None:
-    """In the process: do what is sent, until the parent ends."""
+def _serve(pipe: Connection, parent: int) -> None:
+    """In the process: do what is sent, first the function, then its tasks, until the parent ends.
+
+    What they need is loaded when they are received: whoever loads it ends with the parent already.
+    """
     _end_with(parent)
-    while True:
-        try:
-            task = pipe.recv()
-        except EOFError:
-            return
-        pipe.send(try_task(function, task))
+    with suppress(EOFError):
+        function = pipe.recv()
+        while True:
+            pipe.send(try_task(function, pipe.recv()))
 
 
 def try_task(function: Callable[..., Any], task: tuple[Any, ...]) -> Any:
