@@ -225,14 +225,14 @@ def interrupt(study, output, count, number):
 def interrupt_often(study, output, count, signals):
     """A sweep that gets one signal after the other and is gone on with between; what it left in the log."""
     for index, number in enumerate(signals):
-        share = 0.2 * (index + 1)
-        done = interrupt(study, output, share * count, number)
+        least = count * (index + 1) // 5
+        done = interrupt(study, output, least, number)
         if done is None:
             shutil.rmtree(output)
             return None
         assert sorted(path.name for path in output.parent.iterdir()) == ["o"]
         assert [path.name for path in output.iterdir()] == [NAME]
-        assert share * count <= len(done) < count
+        assert least <= len(done) < count
     return done
 
 
