@@ -33,6 +33,7 @@ HOMES = {
     "click": "cli",
     "rich": "cli",
     "ruamel": "problem",
+    "distributed": "study",
 }
 
 FACE = ("__version__",)  # what the package itself holds

@@ -1,7 +1,6 @@
 """Signals at chosen moments: exit codes, one object, nothing written, nobody left; see also tests.interrupts."""
 
 import json
-import os
 import signal
 import subprocess
 import sys
@@ -10,9 +9,9 @@ from textwrap import dedent
 
 import pytest
 
-from tests.cases import PROBLEMS
+from tests.tasks import DEADLY, DEFECT, FRAIL, WRONG, double
 from timelaw import interrupts
-from timelaw.errors import Fault, InfeasibleError, InputError
+from timelaw.errors import InfeasibleError, InputError
 from timelaw.interrupts import Interrupted, check_interrupted, finish_work, shield
 from timelaw.workers import run_tasks
 
@@ -169,63 +168,19 @@ def test_where_the_last_step_fails_the_signal_counts(state):
         check_interrupted()
 
 
-def double(number):
-    if number == 3:
-        raise InputError(Fault("three", "where", "path", 1, 2))
-    if number == 4:
-        os.kill(os.getpid(), signal.SIGKILL)
-    if number == 5:
-        raise ZeroDivisionError("five")
-    return 2 * number
+def test_workers_return_what_is_done_and_what_is_raised():
+    assert dict(run_tasks(double, [], 2)) == {}
+    found = dict(run_tasks(double, [(0,), (WRONG,), (DEFECT,), (2,)], 2))
+    assert (found[0], found[3]) == (0, 4)
+    assert isinstance(found[1], InputError)
+    assert str(found[1]) == "path:1:2: where: three"
+    assert isinstance(found[2], ZeroDivisionError)
+    assert "in double" in found[2].__notes__[0]
 
 
-def test_workers_return_what_is_done_and_raise_what_is_raised():
-    assert dict(run_tasks(double, [(0,), (1,), (2,)], 2)) == {0: 0, 1: 2, 2: 4}
-    with pytest.raises(InputError) as raised:
-        dict(run_tasks(double, [(1,), (3,)], 1))
-    assert str(raised.value) == "path:1:2: where: three"
-    with pytest.raises(InfeasibleError, match=r"ended from outside .*-9"):
-        dict(run_tasks(double, [(4,)], 1))
-    with pytest.raises(ZeroDivisionError) as defect:
-        dict(run_tasks(double, [(5,)], 1))
-    assert "in double" in defect.value.__notes__[0]
-
-
-def list_processes(group):
-    """The processes of a group that are alive."""
-    found = []
-    for entry in os.listdir("/proc"):
-        if entry.isdigit():
-            try:
-                with open(f"/proc/{entry}/stat") as file:
-                    state, _, of = file.read().rpartition(")")[2].split()[:3]
-            except OSError:
-                continue
-            if int(of) == group and state != "Z":
-                found.append(int(entry))
-    return found
-
-
-@pytest.mark.skipif(not os.path.exists("/proc/self/stat"), reason="there is no /proc here")
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
-def test_the_processes_of_a_sweep_end_with_it(tmp_path, number):
-    (tmp_path / "p.yaml").write_text((PROBLEMS / "paper-24-cell.yaml").read_text())
-    vary = "vary: {easing.degree: {from: 7, to: 31, steps: 25}}\n"
-    (tmp_path / "s.yaml").write_text(f"timelaw-study: 1\nname: s\nproblem: p.yaml\n{vary}")
-    command = [sys.executable, "-m", "timelaw", "sweep", "s.yaml", "--processes", "2", "--json"]
-    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
-    process = subprocess.Popen(
-        command, cwd=tmp_path, start_new_session=True, preexec_fn=listen, text=True, **pipes
-    )
-    ends = time.monotonic() + AT_MOST
-    while len(list_processes(process.pid)) < 4 and time.monotonic() < ends:  # two, the tracker of resources
-        time.sleep(0.05)
-    time.sleep(0.5)
-    process.send_signal(number)
-    returned, out = end(process)
-    assert returned == {signal.SIGINT: 130, signal.SIGTERM: 143, signal.SIGKILL: -9}[number]
-    assert number == signal.SIGKILL or json.loads(out)["exit_code"] == returned
-    while list_processes(process.pid) and time.monotonic() < ends:
-        time.sleep(0.05)
-    assert not list_processes(process.pid)
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["p.yaml", "s.yaml"]
+def test_what_a_killed_worker_did_is_done_again_but_not_for_ever(tmp_path):
+    tasks = [(FRAIL, tmp_path / "mark"), (DEADLY,), (1,)]
+    found = dict(run_tasks(double, tasks, 1))
+    assert (found[0], found[2]) == (12, 2)
+    assert isinstance(found[1], InfeasibleError)
+    assert "ended from outside (exit code -9), 3 times" in str(found[1])

@@ -30,6 +30,9 @@ from timelaw.time_law.time_law import OPTIMISED_LAW, STOPPING_LAW
 from timelaw.tours import Tour, find_tour
 from timelaw.tours.home import go_home
 
+ROUTE_PARTS = ("route",)  # keys of a problem that its route depends on, besides whether nodes are passed
+FASTEST_PARTS = ("limits", "body", "nodes", "segments")  # those that travel times depend on too
+
 
 @dataclass(frozen=True)
 class Layout:
@@ -206,6 +209,21 @@ def lay_out_problem(path: Path, problem: Problem, source: Source, progress: Prog
         route = lay_route(orientations, tour, merge=problem.motion.through)
         requirements = resolve_requirements(problem, route)
     return Layout(path, problem, source, orientations, tour, route, requirements)
+
+
+def share_route(one: Problem, other: Problem) -> bool:
+    """Whether two problems of one file lead to the same orientations, tour and route."""
+    parts = ROUTE_PARTS if one.route.tour != "fastest" else ROUTE_PARTS + FASTEST_PARTS
+    return one.motion.through == other.motion.through and all(
+        getattr(one, part) == getattr(other, part) for part in parts
+    )
+
+
+def lay_out_again(layout: Layout, problem: Problem, source: Source) -> Layout:
+    """The layout of a problem that shares the route of one that is laid out."""
+    with source.placed(), on_one_thread():
+        requirements = resolve_requirements(problem, layout.route)
+    return replace(layout, problem=problem, source=source, requirements=requirements)
 
 
 def _take_orientations(problem: Problem) -> Orientations:

@@ -8,7 +8,8 @@ import subprocess
 import time
 from dataclasses import dataclass, field
 
-from tests.interrupts.scenes import Scene, digest, start
+from tests.interrupts.scenes import LOG, Scene, digest, start
+from tests.sweeps import list_keys
 from timelaw.results_folder import repair_results
 
 KINDS = {
@@ -131,3 +132,18 @@ def _judge_folder(done: Round, scene: Scene) -> None:
         done.faults.append("the next run changes the results")
     if any(path.name.startswith(".") for path in scene.home.iterdir()):
         done.faults.append("the next run leaves something beside")
+    if (scene.folder / LOG).exists():
+        _judge_log(done, scene)
+
+
+def _judge_log(done: Round, scene: Scene) -> None:
+    """What an interrupted sweep left in its log is kept, and the next one does the rest, nothing twice."""
+    left = list_keys(scene.folder / LOG)
+    out, err = start(scene.command, scene.home).communicate(timeout=HANGS)
+    keys = list_keys(scene.folder / LOG)
+    if digest(scene.folder) != scene.new:
+        done.faults.append(f"going on does not end with the new results: {out[-300:]!r} {err[-300:]!r}")
+    if keys[: len(left)] != left or len(set(keys)) < len(keys):
+        done.faults.append(
+            f"a log of {len(left)} outcomes became one of {len(keys)}, {len(set(keys))} of them apart"
+        )

@@ -13,6 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from timelaw.results_folder.manifest import MANIFEST
+from timelaw.study.sweep_log import NAME as LOG
 
 LEGS = 40  # of the long design: least times one by one, then all together
 COUPLED = "objective: {minimise: jerk, total_time: 1.3 x minimum}\n"
@@ -58,9 +59,11 @@ def start(command: tuple[str, ...], home: Path) -> subprocess.Popen[str]:
 
 
 def digest(folder: Path) -> str:
-    """Of everything in a folder, hidden files too."""
+    """Of everything in a folder, hidden files too, but for the log of a sweep, which grows before results do."""
     found = hashlib.sha256()
     for path in sorted(folder.rglob("*")):
+        if path.name == LOG:
+            continue
         found.update(str(path.relative_to(folder)).encode() + b"\0")
         if path.is_file():
             found.update(hashlib.sha256(path.read_bytes()).digest())

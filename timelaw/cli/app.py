@@ -48,12 +48,13 @@ def design(problem: str, output: str | None, time_limit: float | None, as_json: 
 @click.option(
     "--processes", type=click.IntRange(1), help="Designs made at a time  [default: one per processor]"
 )
+@click.option("--cluster", metavar="ADDRESS", help="Design on the workers of a Dask scheduler instead.")
 @speaking
-def sweep(study: str, output: str | None, processes: int | None, as_json: bool) -> int:
+def sweep(study: str, output: str | None, processes: int | None, cluster: str | None, as_json: bool) -> int:
     """Design a problem over the varied keys of a STUDY file: sweep.csv and front.svg."""
     from timelaw.cli.sweep import run
 
-    return run(study, output, processes, as_json=as_json)
+    return run(study, output, processes, cluster, as_json=as_json)
 
 
 @timelaw.command()

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from timelaw.certificate import Certificate
 
 RESULTS = Path("results")  # where results go, in a folder of their name
+MEASURED = 600.0  # seconds of the past, from which the time left is told
 
 
 def print_json(data: dict[str, Any]) -> None:
@@ -57,22 +58,33 @@ def set_speech(*, quiet: bool | None = None, progress: bool | None = None) -> No
 
 
 @contextmanager
-def show_progress() -> Iterator[Progress | None]:
-    """Report (stage, done, of) on stderr, on a terminal only; time and steps go on by themselves."""
+def show_progress(*, time_left: bool = False) -> Iterator[Progress | None]:
+    """Report (stage, done, of) on stderr, on a terminal only; time and steps go on by themselves.
+
+    `time_left` is for many steps that take about the same time each.
+    """
     if _speech.quiet or not _speech.progress or not sys.stderr.isatty():
         yield None
         return
     from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+    from rich.progress import (
+        BarColumn,
+        MofNCompleteColumn,
+        Progress,
+        TextColumn,
+        TimeElapsedColumn,
+        TimeRemainingColumn,
+    )
 
     columns = (
         TextColumn("{task.description}", markup=False),
         BarColumn(),
         MofNCompleteColumn(),
         TimeElapsedColumn(),
-        _make_steps_column(),
+        *((TextColumn("left"), TimeRemainingColumn()) if time_left else (_make_steps_column(),)),
     )
-    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
+    console = Console(stderr=True)
+    with Progress(*columns, console=console, transient=True, speed_estimate_period=MEASURED) as bar:
         task = bar.add_task("reading", total=None)
 
         def report(stage: str, done: int, of: int) -> None:

@@ -19,12 +19,13 @@ DEAD = 86400.0  # seconds after which a run that cannot be asked for its lock is
 
 if sys.platform == "win32":
 
-    def _try_lock(_descriptor: int) -> bool | None:
+    def try_lock(_descriptor: int) -> bool | None:
+        """None: there are no such locks."""
         return None
 else:
     import fcntl
 
-    def _try_lock(descriptor: int) -> bool | None:
+    def try_lock(descriptor: int) -> bool | None:
         """Whether the lock was taken; None where there are no locks."""
         try:
             fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
@@ -66,7 +67,7 @@ def hold_new(path: Path) -> Iterator[None]:
 
 def _wait_for(descriptor: int) -> None:
     ends = time.monotonic() + WAIT
-    while _try_lock(descriptor) is False:
+    while try_lock(descriptor) is False:
         if time.monotonic() > ends:
             raise TimeoutError(errno.ETIMEDOUT, "another run is writing there")
         time.sleep(PAUSE)
@@ -79,7 +80,7 @@ def is_held(path: Path) -> bool:
     except OSError:
         return False
     try:
-        taken = _try_lock(descriptor)
+        taken = try_lock(descriptor)
         return time.time() - os.fstat(descriptor).st_mtime < DEAD if taken is None else not taken
     finally:
         os.close(descriptor)

@@ -1,103 +1,111 @@
-"""Run a study: every point a design of its own, on the processes of this machine."""
+"""Run a study: every point a design of its own, by any executor; what is known already is not done again."""
 
-import os
-from dataclasses import dataclass, field
-from math import isfinite
+from collections.abc import Collection, MutableMapping
+from contextlib import closing
+from dataclasses import dataclass, replace
 from typing import Any
 
-from timelaw.errors import InputError, TimelawError
-from timelaw.pipeline import Design, design_problem
+from timelaw.errors import InputError
 from timelaw.problem.load import check_problem
-from timelaw.progress import Progress
-from timelaw.report import list_law_rows
-from timelaw.report.passing_text import describe_rungs
-from timelaw.report.summary import measure_all_efforts
+from timelaw.progress import Progress, tell
+from timelaw.study.designer import Designer, make_designer
+from timelaw.study.executors import Executor, run_here
+from timelaw.study.outcome import Outcome
 from timelaw.study.study import Study
-from timelaw.workers import run_tasks
+
+MOST_FAILURES = 10  # points that could not be tried, through no fault of theirs: then something else is wrong
 
 
 @dataclass(frozen=True)
-class Outcome:
-    """What came of one point: its numbers, or why there are none."""
+class Plan:
+    """Who designs the points of a study, and the points in order, each with its key."""
 
-    point: dict[str, Any]
-    holds: bool = False
-    duration: float | None = None
-    to_limit: float | None = None
-    continuity: int | None = None
-    efforts: dict[str, float] = field(default_factory=dict)
-    peaks: dict[str, float] = field(default_factory=dict)
-    easing: str = ""
-    status: str = ""
+    designer: Designer
+    points: tuple[tuple[str, dict[str, Any]], ...]
 
-    def to_dict(self) -> dict[str, Any]:
-        """As `--json` prints it: null for an effort that has no bound."""
-        efforts = {name: value if isfinite(value) else None for name, value in self.efforts.items()}
-        return {**self.__dict__, "efforts": efforts}
+    def count_known(self, known: Collection[str]) -> int:
+        """How many of the points have their key among these."""
+        return sum(key in known for key, _ in self.points)
+
+    def count_unused(self, known: Collection[str]) -> int:
+        """How many of these keys are those of none of the points."""
+        return len(set(known) - {key for key, _ in self.points})
 
 
-def run_study(study: Study, processes: int | None = None, progress: Progress | None = None) -> list[Outcome]:
-    """Design every point, in as many processes as there are processors unless told otherwise.
-
-    A point that cannot be met is an outcome that says so; a point that makes no sense as a
-    problem file ends the study.
+def plan_study(study: Study) -> Plan:
+    """The points of a study and their keys.
 
     Raises:
-        InputError: a varied key or value is not one a problem file may have.
+        InputError: no point makes a problem.
     """
-    points = list(study.points())
-    for point in points:
-        _check(study, point)
-    workers = min(processes or os.cpu_count() or 1, len(points))
-    if workers == 1:
-        outcomes = []
-        for done, point in enumerate(points):
-            if progress is not None:
-                progress("designing", done, len(points))
-            outcomes.append(run_point(study, point))
-        return outcomes
-    found: dict[int, Outcome] = {}
-    for index, outcome in run_tasks(run_point, [(study, point) for point in points], workers):
-        found[index] = outcome
-        if progress is not None:
-            progress("designing", len(found), len(points))
-    return [found[index] for index in range(len(points))]
+    _refuse_nonsense(study)
+    designer = make_designer(study)
+    return Plan(designer, tuple((designer.find_key(point), point) for point in study.points()))
 
 
-def _check(study: Study, point: dict[str, Any]) -> None:
-    """Whether a point makes a problem file; what is wrong is told at the study's key."""
-    try:
-        check_problem(study.base.with_values(point))
-    except InputError as error:
-        values = ", ".join(f"{key} = {value}" for key, value in point.items())
-        faults = [f"with {values}: {fault.where}: {fault.message}" for fault in error.faults]
-        raise InputError(*(study.source.fault(("vary",), text) for text in faults)) from None
+def run_study(
+    plan: Plan,
+    executor: Executor = run_here,
+    known: MutableMapping[str, Outcome] | None = None,
+    progress: Progress | None = None,
+) -> list[Outcome]:
+    """The outcome of every point, in the order of the study; of those not `known` once they are.
+
+    A point that cannot be met, or makes no problem, is an outcome that says so. Where one could not be tried
+    (a process was killed again and again, or there is a defect of ours) the others are before it is raised.
+
+    Raises:
+        InfeasibleError: a point could not be tried.
+    """
+    outcomes = {} if known is None else known
+    _design_rest(plan.designer, dict(plan.points), executor, outcomes, progress)
+    return [replace(outcomes[key], point=point) for key, point in plan.points]
 
 
-def run_point(study: Study, point: dict[str, Any]) -> Outcome:
-    """Design one point."""
-    source = study.base.with_values(point)
-    try:
-        return _outcome(point, design_problem(study.path, check_problem(source), source))
-    except InputError:
-        raise
-    except TimelawError as error:
-        return Outcome(point, status="; ".join(fault.message for fault in error.faults))
+def _design_rest(
+    designer: Designer,
+    points: dict[str, dict[str, Any]],
+    executor: Executor,
+    outcomes: MutableMapping[str, Outcome],
+    progress: Progress | None,
+) -> None:
+    """Design the points whose keys have no outcome yet."""
+    tasks = [(key, point) for key, point in points.items() if key not in outcomes]
+    done, failures = len(points) - len(tasks), list[Exception]()
+    with closing(executor(designer, tasks)) as results:
+        tell(progress, "designing", done, len(points))
+        for number, result in results:
+            if isinstance(result, Exception):
+                failures.append(result)
+                if isinstance(result, InputError) or len(failures) == MOST_FAILURES:
+                    break
+                continue
+            outcomes[tasks[number][0]] = result
+            done += 1
+            tell(progress, "designing", done, len(points))
+    if failures:
+        raise failures[-1]
 
 
-def _outcome(point: dict[str, Any], design: Design) -> Outcome:
-    row = list_law_rows(design)[0]
-    status = sorted({s.describe() for s in design.solution.solutions})
-    if design.through is not None:
-        status = describe_rungs(design.route, design.through)
-    return Outcome(
-        point,
-        row.holds,
-        row.duration,
-        row.to_limit if isfinite(row.to_limit) else None,
-        row.continuity,
-        measure_all_efforts(design),
-        row.peaks,
-        design.family.label,
-        "; ".join(status if row.holds else design.optimised.certificate.findings()),
-    )
+def _refuse_nonsense(study: Study) -> None:
+    """Refuse a study none of whose points makes a problem file; it is told at the study's key.
+
+    Raises:
+        InputError: what is wrong with the first.
+    """
+    first: InputError | None = None
+    for point in study.points():
+        try:
+            check_problem(study.base.with_values(point))
+        except InputError as error:
+            first = first or _place(study, point, error)
+        else:
+            return
+    if first is not None:
+        raise first
+
+
+def _place(study: Study, point: dict[str, Any], error: InputError) -> InputError:
+    values = ", ".join(f"{key} = {value}" for key, value in point.items())
+    faults = [f"with {values}: {fault.where}: {fault.message}" for fault in error.faults]
+    return InputError(*(study.source.fault(("vary",), text) for text in faults))

@@ -5,7 +5,7 @@ import io
 from collections.abc import Sequence
 from typing import Any
 
-from timelaw.study.run import Outcome
+from timelaw.study.outcome import Outcome
 
 
 def list_headings(outcomes: Sequence[Outcome]) -> list[str]:

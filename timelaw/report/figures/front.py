@@ -7,10 +7,14 @@ from timelaw.objectives import EFFORTS
 from timelaw.report.figures.style import AXIS_COLOURS, OPTIMISED, render_svg, use_style
 
 COLOURS = (OPTIMISED, "#b07400", AXIS_COLOURS[2], "#7a3f9d", "#5c5c61", AXIS_COLOURS[0])
+MOST_NAMED = 20  # lines; a longer list leaves no room for them, and the table has all
 
 
 def draw_front(name: str, effort: str, groups: Mapping[str, Sequence[tuple[float, float]]]) -> str:
-    """SVG text: (time [s], effort) of each group as a line with its points, effort on a logarithmic scale."""
+    """SVG text: (time [s], effort) of each group as a line with its points, effort on a logarithmic scale.
+
+    Many groups are drawn without their names.
+    """
     from matplotlib.figure import Figure
 
     with use_style():
@@ -25,7 +29,7 @@ def draw_front(name: str, effort: str, groups: Mapping[str, Sequence[tuple[float
         ax.set_ylabel(f"{effort} effort [{EFFORTS[effort].unit}]")
         ax.set_title(name, fontsize=9, parse_math=False)
         ax.grid(visible=True, which="both", linewidth=0.3, color="#dddddd")
-        if any(groups) and len(groups) > 1:
+        if any(groups) and 1 < len(groups) <= MOST_NAMED:
             legend = ax.legend()
             for text in legend.get_texts():
                 text.set_parse_math(False)
