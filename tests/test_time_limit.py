@@ -12,7 +12,7 @@ from timelaw.cli.app import _run
 from timelaw.easing.time_scaling import used_fraction
 from timelaw.errors import InfeasibleError
 from timelaw.nlp import exchange, ipopt
-from timelaw.nlp.optimiser import list_run_problems
+from timelaw.nlp.family_choice import list_run_problems
 from timelaw.nlp.program import Program
 from timelaw.nlp.solution import Status
 from timelaw.nlp.verdicts import REMEDIES, Verdict, read_verdict

@@ -11,8 +11,8 @@ MAX_DEGREE = 31
 POLYNOMIAL_DEGREE = 9
 INTERVALS = 50
 WITHIN = 0.01  # of the physical limit, where the file does not say how near `auto` has to come
-AUTO_DEGREES = (5, 7, 9, 11, 13, 17, 21)
-AUTO_INTERVALS = (28, 50, 100, 200)
+AUTO_DEGREES = (9, 13, 21)
+AUTO_INTERVALS = (20, 28, 50, 100, 200)
 
 
 class Settings(Protocol):
@@ -73,9 +73,9 @@ def _double_s(_: Settings, r: int) -> Iterator[Family]:
 
 
 def _auto(_: Settings, r: int) -> Iterator[Family]:
-    """Candidates from the simplest on."""
-    yield from (PolynomialFamily(degree, r) for degree in AUTO_DEGREES if degree >= 2 * r + 1)
-    yield from (SplineFamily(spline_degree(r), intervals, r) for intervals in AUTO_INTERVALS)
+    """Candidates whose jerk does not jump inside a leg, from the cheapest on."""
+    yield from (PolynomialFamily(degree, r) for degree in AUTO_DEGREES if degree >= 2 * r + 3)
+    yield from (SplineFamily(max(4, spline_degree(r)), intervals, r) for intervals in AUTO_INTERVALS)
 
 
 BASES: dict[str, BasisKind] = {

@@ -56,7 +56,7 @@ def solve_distinct(
             what = "run" if untried == 1 else "runs"
             more = [Fault(f"not tried: {untried} more {what} with given durations or rates")]
             raise InfeasibleError(*error.faults, *(more if untried else [])) from None
-        if solved is not None and (not problem.elastic or found.duration <= most) and not is_late():
+        if solved is not None and (not problem.elastic or found.duration <= most or is_late()):
             solved[problem] = found
         yield found
 

@@ -106,7 +106,7 @@ def refuse_unfit(problem: "Problem") -> None:
             'along curves no double-s is known; "quintic" alone can stand beside the law', "baselines"
         )
     _refuse_rules(problem, len(curves))
-    if easing.basis not in BASES:
+    if "basis" in easing.model_fields_set and easing.basis not in BASES:
         raise fault(f'"{easing.basis}"; on Bézier curves {" or ".join(BASES)} is needed', "easing", "basis")
 
 

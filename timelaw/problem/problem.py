@@ -1,6 +1,6 @@
 """The model of a problem file, version 1: which keys there are and what they may hold."""
 
-from typing import Annotated, Literal, Self
+from typing import Annotated, Any, Literal, Self
 
 from pydantic import BeforeValidator, Field, model_validator
 
@@ -26,9 +26,12 @@ NAME = r"^[A-Za-z0-9][A-Za-z0-9._-]*$"
 
 
 class EasingModel(Model):
-    """The function family of the easing f(τ) on a leg; `auto` looks for the least that comes `within`."""
+    """The function family of the easing f(τ) on a leg; `auto` looks for the cheapest that comes `within`.
 
-    basis: Annotated[str, one_of(BASES)] = "polynomial"
+    A degree without a basis is that of a polynomial.
+    """
+
+    basis: Annotated[str, one_of(BASES)] = "auto"
     degree: Annotated[int, Field(ge=3, le=MAX_DEGREE)] | None = None
     intervals: Annotated[int, Field(ge=1, le=MAX_INTERVALS)] | None = None
     within: Annotated[float | None, percentage()] = None
@@ -37,6 +40,12 @@ class EasingModel(Model):
     def kind(self) -> BasisKind:
         """What the basis is."""
         return BASES[self.basis]
+
+    @model_validator(mode="before")
+    @classmethod
+    def _degree_alone(cls, value: Any) -> Any:
+        plain = isinstance(value, dict) and "degree" in value and "basis" not in value
+        return {**value, "basis": "polynomial"} if plain else value
 
     @model_validator(mode="after")
     def _suit_the_basis(self) -> Self:

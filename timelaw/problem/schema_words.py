@@ -102,7 +102,7 @@ WORDS: dict[str, dict[str, str]] = {
         "deviation": "how far the body may leave the arc of its leg",
     },
     "EasingModel": {
-        "basis": "polynomial (the default), spline, double-s, or auto",
+        "basis": "auto (the default), polynomial (where a degree is given alone), spline, or double-s",
         "degree": "of polynomials or splines",
         "intervals": "of a spline on a leg",
         "within": "of auto: how near to the physical limit",

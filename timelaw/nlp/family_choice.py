@@ -1,0 +1,156 @@
+"""Of the families of easings that a problem allows the cheapest that comes near the physical limit."""
+
+from collections import Counter
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from math import inf
+
+import numpy as np
+
+from timelaw.easing.family import Family
+from timelaw.errors import InfeasibleError
+from timelaw.nlp.program import Program, RunProblem
+from timelaw.nlp.single_runs import Solved, solve_distinct, solve_runs
+from timelaw.nlp.solution import Timings
+from timelaw.problem import Problem
+from timelaw.progress import Progress
+from timelaw.requirements import Requirements
+from timelaw.route import Route
+from timelaw.time_limit import is_late
+
+SAME_DURATION = 1e-9
+PROBES = 4  # of the families, cheapest first, that are tried where the cheapest cannot do what is given
+SAMPLE = 3  # runs by which families are judged before one of them solves all
+
+
+def list_run_problems(route: Route, requirements: Requirements, family: Family) -> list[RunProblem]:
+    """The runs of a route with what is demanded on them."""
+    return [
+        RunProblem(run.demands, family, run.start, run.end, run.where) for run in requirements.by_run(route)
+    ]
+
+
+def solve_least_within(
+    problem: Problem, route: Route, requirements: Requirements, progress: Progress | None
+) -> tuple[Family, Timings]:
+    """The first family whose least time is near enough to the physical limit, or else the nearest.
+
+    Families are judged by a few runs first, in the order of what they cost; then by all, from the one on that
+    was near enough there.
+
+    Raises:
+        InfeasibleError: the requirements cannot be met.
+    """
+    kind, easing = problem.easing.kind, problem.easing
+    families = list(kind.families(easing, problem.nodes.continuity))
+    solved: Solved = {}
+    if len(families) > 1:
+        families = _drop_infeasible(families, route, requirements, solved)
+        for weigh in (_weigh_few, _weigh_all):
+            search = _Search(route, requirements, weigh, kind.allowed_excess(easing), solved)
+            families = families[families.index(search.find_near(families, progress)) :]
+    return families[0], solve_runs(list_run_problems(route, requirements, families[0]), progress, solved)
+
+
+def _weigh_all(runs: Sequence[RunProblem]) -> dict[RunProblem, float]:
+    """The distinct runs, and how often each is made."""
+    counts = Counter(run.key() for run in runs)
+    return {run: float(counts[key]) for key, run in {run.key(): run for run in runs}.items()}
+
+
+def _weigh_few(runs: Sequence[RunProblem]) -> dict[RunProblem, float]:
+    """A few distinct runs, short and long ones, each of which stands for an equal part of the whole time."""
+    ranked = sorted(runs, key=lambda run: run.run.limit)
+    passed = np.cumsum([run.run.limit for run in ranked])
+    middles = (np.arange(SAMPLE) + 0.5) / SAMPLE * passed[-1]
+    few = [ranked[index] for index in np.searchsorted(passed, middles).tolist()]
+    return {run: count / run.run.limit for run, count in _weigh_all(few).items()}
+
+
+@dataclass(frozen=True)
+class _Search:
+    """For a family by some of the runs of a route, which `weigh` picks."""
+
+    route: Route
+    requirements: Requirements
+    weigh: Callable[[Sequence[RunProblem]], dict[RunProblem, float]]
+    within: float
+    solved: Solved
+
+    def find_near(self, families: Sequence[Family], progress: Progress | None) -> Family:
+        """The first of the families that is near enough, or else the nearest.
+
+        The search ends at families too large for a run of so many legs; and where runs begin or end moving,
+        or have times, at one that gains less than half of what is near enough: there the limit is one that
+        need not be reached by any law. When the time is over, the family at hand is taken.
+        """
+        nearest, least_excess = families[0], inf
+        for family in families:
+            weights = self.weigh(list_run_problems(self.route, self.requirements, family))
+            if family != families[0] and any(Program((run,)).large for run in weights):
+                continue
+            excess = self._measure_excess(weights, progress)
+            if excess <= self.within or is_late():
+                return family
+            gained = least_excess - excess
+            if gained > 0:
+                nearest, least_excess = family, excess
+            if gained < self.within / 2 and not all(run.elastic for run in weights):
+                break
+        return nearest
+
+    def _measure_excess(self, weights: dict[RunProblem, float], progress: Progress | None) -> float:
+        """What part of their limits the runs take beyond them.
+
+        Of those that were solved, once these take more than all of them may: of the others none is solved.
+        """
+        allowed = self.within * sum(weight * run.run.limit for run, weight in weights.items())
+        excess = known = 0.0
+
+        def enough(run: RunProblem) -> float:
+            return run.run.limit + (allowed - excess) / weights[run]
+
+        for (run, weight), solution in zip(
+            weights.items(), solve_distinct(list(weights), progress, enough, self.solved), strict=True
+        ):
+            excess += weight * (solution.duration - run.run.limit)
+            known += weight * run.run.limit
+            if excess > allowed and not is_late():
+                break
+        return excess / known if known else inf
+
+
+def _drop_infeasible(
+    families: list[Family], route: Route, requirements: Requirements, solved: Solved
+) -> list[Family]:
+    """The families from the first one on that can do what is given.
+
+    A dearer one may hold limits that a cheaper one cannot, of which some are tried; what physics forbids,
+    none can: then one from the middle says by how much.
+
+    Raises:
+        InfeasibleError: none of those that were tried does.
+    """
+    tried = [families[part * len(families) // PROBES] for part in range(PROBES)]
+    middle = tried[PROBES // 2]
+    while tried:
+        family = tried.pop(0)
+        hard = [run for run in list_run_problems(route, requirements, family) if not run.elastic]
+        if family == families[0] and any(_is_impossible(run) for run in hard):
+            tried = [middle]
+            continue
+        try:
+            list(solve_distinct(hard, solved=solved))
+        except InfeasibleError:
+            if not tried:
+                raise
+        else:
+            return families[families.index(family) :]
+    return families
+
+
+def _is_impossible(run: RunProblem) -> bool:
+    """Whether its legs have less time than physics needs for all of them."""
+    open_times = tuple(replace(demand, duration=None) for demand in run.demands)
+    given = sum(inf if demand.duration is None else demand.duration for demand in run.demands)
+    return given < replace(run.run, demands=open_times).limit * (1 - SAME_DURATION)
