@@ -158,7 +158,7 @@ def test_legs_that_are_late_are_smoothsteps():
 
 @pytest.mark.campaign
 def test_the_exchange_against_the_nonlinear_program_on_a_thousand_legs():
-    """Six decades of each limit; measured: at most 4e-10 slower, and up to some 1e-6 faster."""
+    """Six decades of each limit; measured on 150 of them: never slower, faster by 6e-7 at most."""
     runs = plain_runs(1000, seed=12)
     found = solve_legs([run.demands[0] for run in runs], PolynomialBasis(9, 2))
     assert None not in found
