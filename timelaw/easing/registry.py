@@ -11,7 +11,7 @@ MAX_DEGREE = 31
 POLYNOMIAL_DEGREE = 9
 INTERVALS = 50
 WITHIN = 0.01  # of the physical limit, where the file does not say how near `auto` has to come
-AUTO_DEGREES = (9, 13, 21)
+AUTO_DEGREES = (9, 13, 21, 31)
 AUTO_INTERVALS = (20, 28, 50, 100, 200)
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from timelaw.easing.family import Family
 from timelaw.errors import InfeasibleError
 from timelaw.nlp.program import Program, RunProblem
-from timelaw.nlp.single_runs import Solved, solve_distinct, solve_runs
+from timelaw.nlp.single_runs import Solved, is_plain, solve_distinct, solve_runs
 from timelaw.nlp.solution import Timings
 from timelaw.problem import Problem
 from timelaw.progress import Progress
@@ -67,6 +67,11 @@ def _weigh_few(runs: Sequence[RunProblem]) -> dict[RunProblem, float]:
     return {run: count / run.run.limit for run, count in _weigh_all(few).items()}
 
 
+def _is_dear(run: RunProblem) -> bool:
+    """Whether another family comes nearer for less: a spline, where no polynomials are found together."""
+    return Program((run,)).large or (run.family.polynomials is not None and not is_plain(run))
+
+
 @dataclass(frozen=True)
 class _Search:
     """For a family by some of the runs of a route, which `weigh` picks."""
@@ -80,14 +85,14 @@ class _Search:
     def find_near(self, families: Sequence[Family], progress: Progress | None) -> Family:
         """The first of the families that is near enough, or else the nearest.
 
-        The search ends at families too large for a run of so many legs; and where runs begin or end moving,
-        or have times, at one that gains less than half of what is near enough: there the limit is one that
-        need not be reached by any law. When the time is over, the family at hand is taken.
+        Families that are dear are passed over, but for the first. The search ends where runs begin or end
+        moving, or have times, at one that gains less than half of what is near enough: there the limit is one
+        that need not be reached by any law. When the time is over, the family at hand is taken.
         """
         nearest, least_excess = families[0], inf
         for family in families:
             weights = self.weigh(list_run_problems(self.route, self.requirements, family))
-            if family != families[0] and any(Program((run,)).large for run in weights):
+            if family != families[0] and any(_is_dear(run) for run in weights):
                 continue
             excess = self._measure_excess(weights, progress)
             if excess <= self.within or is_late():

@@ -62,9 +62,13 @@ def solve_distinct(
 
 
 def _find_polynomials(problem: RunProblem) -> PolynomialBasis | None:
-    """The polynomials of a plain run: one leg from rest to rest, under nothing but limits on rates."""
-    plain = problem.elastic and len(problem.demands) == 1 and are_rates_limited(problem.demands[0])
-    return problem.family.polynomials if plain else None
+    """The polynomials of a plain run."""
+    return problem.family.polynomials if is_plain(problem) else None
+
+
+def is_plain(problem: RunProblem) -> bool:
+    """Whether it is one leg from rest to rest, under nothing but limits on rates."""
+    return problem.elastic and len(problem.demands) == 1 and are_rates_limited(problem.demands[0])
 
 
 def solve_plain(problems: Sequence[RunProblem]) -> Solved:
