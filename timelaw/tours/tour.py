@@ -9,7 +9,6 @@ import numpy as np
 from timelaw.errors import Fault, InputError, list_some
 from timelaw.numerics.quaternion import angle_between
 from timelaw.orientations import OrientationSet
-from timelaw.orientations.uniform import MOST_ORIENTATIONS
 from timelaw.problem import Problem
 from timelaw.problem.route import SEARCHED, RouteModel
 from timelaw.progress import Progress
@@ -28,6 +27,7 @@ from timelaw.tours.straightest import STRAIGHT, TURNING, find_straightest
 from timelaw.tours.travel_rules import make_travel_times
 
 Order = tuple[int, ...]
+MOST_ORIENTATIONS = 10_000  # what a tour is searched for: half a minute
 PAPER_TOUR = (1, 12, 11, 3, 8, 10, 2, 7, 9, 6, 5, 4)
 
 
