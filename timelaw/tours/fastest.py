@@ -10,6 +10,7 @@ from timelaw.tours.merit import Merit, Searched
 from timelaw.tours.search.costs import CostMatrix
 from timelaw.tours.search.held_karp import TreeBound
 from timelaw.tours.search.subset_dp import MOST_NODES, Move, find_least
+from timelaw.tours.shares import bound_shares
 from timelaw.tours.shortest import EXACT, TREES, find_short_tour, list_places, open_cycle
 from timelaw.tours.travel_times import TravelTimes
 
@@ -99,14 +100,11 @@ def _starts(ends: Ends, runs: dict[Order, float]) -> list[Ends]:
 def _charges(travel: TravelTimes, runs: dict[Order, float] | None) -> Array:
     """Of each leg the least it can cost as a part of any run: the run's time in equal shares.
 
-    The shares of all legs of a tour add up to its time or less, so a bound on their sum is one on
-    the time. With too many runs to time, any leg that goes on somewhere may be cruised through.
+    The shares of all legs of a tour add up to its time or less, so a bound on their sum is one on the time.
     """
-    charges = travel.legs.copy()
     if runs is None:
-        for a, b in travel.straight_runs.legs():
-            charges[a, b] = charges[b, a] = min(travel.cruise[a, b], charges[a, b])
-        return charges
+        return bound_shares(travel)
+    charges = travel.legs.copy()
     for run, time in runs.items():
         share = time / (len(run) - 1)
         for a, b in pairwise(run):
