@@ -134,11 +134,11 @@ def test_rules_that_need_a_route_are_refused(more, message, tmp_path):
     assert str(error.value) == f"{tmp_path / 'p.yaml'}:{message}"
 
 
-def test_too_many_runs_without_a_velocity_limit_leave_no_bound(tmp_path, capsys):
+def test_too_many_runs_on_axes_known_roughly_without_a_velocity_limit_leave_no_bound(tmp_path, capsys):
     from timelaw.cli.tour import run
 
     vectors = [[0, 0, a] for a in range(0, 150, 7)]
-    route = f"{VECTORS}{vectors}}}"
+    route = f"{VECTORS}{vectors}, precision: 0.01 deg}}"
     laid_out(tmp_path, route, "", "{acceleration: 120 deg/s^2}", "fastest")
     assert run(str(tmp_path / "p.yaml"), None, table=False, as_json=True) == 0
     captured = capsys.readouterr()

@@ -13,8 +13,8 @@ from timelaw.orientations import OrientationSet
 from timelaw.tours import find_tour, sharpen
 from timelaw.tours.ends import Ends
 from timelaw.tours.graph.distances import measure_distances
-from timelaw.tours.search.held_karp import bound_by_trees
-from timelaw.tours.search.local_search import find_short_cycle
+from timelaw.tours.search.costs import CostMatrix
+from timelaw.tours.search.held_karp import TreeBound
 from timelaw.tours.shortest import find_cheapest, find_short_tour
 
 KINDS = [Ends(True), Ends(True, 2), Ends(), Ends(False, 3), Ends(False, None, 1), Ends(False, 4, 0)]
@@ -49,11 +49,11 @@ def test_small_sets_by_all_permutations(ends):
         costs = angles(random_set(seed, 7).quaternions)
         orders = [o for o in permutations(range(7)) if allowed(o, ends)]
         best = min(length(costs, o, ends.closed) for o in orders)
-        order, total = find_cheapest(costs, ends)
+        order, total = find_cheapest(CostMatrix(costs), ends)
         assert allowed(order, ends)
         assert total == pytest.approx(best, rel=1e-12)
         assert length(costs, order, ends.closed) == pytest.approx(best, rel=1e-12)
-        searched = find_short_tour(costs, ends)
+        searched = find_short_tour(CostMatrix(costs), ends, TreeBound(CostMatrix(costs), ends))
         assert allowed(searched, ends)
         assert sorted(searched) == list(range(7))
         assert length(costs, searched, ends.closed) == pytest.approx(best, rel=1e-12)
@@ -64,10 +64,10 @@ def test_small_sets_by_all_permutations(ends):
 def test_the_lower_bound_is_below_the_shortest_and_near_it(ends, count):
     gaps = []
     for seed in range(8):
-        costs = angles(random_set(100 + seed, count).quaternions)
+        costs = CostMatrix(angles(random_set(100 + seed, count).quaternions))
         _, best = find_cheapest(costs, ends)
         for reached in (best, 1.2 * best):  # also where the tour that sets the steps is a bad one
-            bound = bound_by_trees(costs, ends, reached)
+            bound = TreeBound(costs, ends).find(reached)
             assert bound <= best * (1 + 1e-12)
             gaps.append(1 - bound / best)
     assert np.median(gaps) < 0.03
@@ -75,8 +75,8 @@ def test_the_lower_bound_is_below_the_shortest_and_near_it(ends, count):
 
 def test_the_search_leaves_no_mark_on_the_costs_and_visits_all():
     costs = angles(random_set(1, 40).quaternions)
-    kept = costs.copy()
-    assert sorted(find_short_cycle(costs)) == list(range(40))
+    kept, legs = costs.copy(), CostMatrix(costs)
+    assert sorted(find_short_tour(legs, Ends(), TreeBound(legs, Ends()))) == list(range(40))
     np.testing.assert_array_equal(costs, kept)
 
 
@@ -167,7 +167,7 @@ def test_a_given_tour_gets_its_true_gap():
     points = random_set(8, 9)
     given = find_tour(problem("route: {orientations: {lattice: 24-cell}, tour: given}"), points)
     sharp = sharpen(given, points)
-    best = find_cheapest(angles(points.quaternions), Ends())[1]
+    best = find_cheapest(CostMatrix(angles(points.quaternions)), Ends())[1]
     assert sharp.merits[0].bound == pytest.approx(best, rel=1e-12)
     assert sharp.merits[0].gap == pytest.approx(given.length / best - 1, rel=1e-9)
     assert given.merits[0].bound < best

@@ -11,7 +11,7 @@ from timelaw.orientations.lattices import make_lattice
 from timelaw.route import lay_route
 from timelaw.route.great_circle import fit_circle
 from timelaw.tours import find_tour
-from timelaw.tours.graph.distances import list_neighbours, measure_distances
+from timelaw.tours.graph.distances import list_neighbours
 from timelaw.tours.graph.straight_runs import StraightRuns
 
 
@@ -59,9 +59,9 @@ def test_the_shortest_tour_of_a_typed_lattice_has_minimal_legs():
 
 @pytest.mark.parametrize("name", ["16-cell", "24-cell", "600-cell", "120-cell"])
 def test_neighbours_of_typed_lattices_are_those_of_exact_ones(name):
-    exact = list_neighbours(measure_distances(turned(name)))
+    exact = list_neighbours(turned(name))
     points = read_rows(write(turned(name), 4))
-    assert list_neighbours(measure_distances(points.quaternions), points.precision.angle) == exact
+    assert list_neighbours(points.quaternions, points.precision.angle) == exact
 
 
 @pytest.mark.parametrize("name", ["24-cell", "600-cell"])

@@ -12,7 +12,7 @@ from timelaw.numerics.array import Array
 from timelaw.orientations.lattices import LATTICES, make_lattice
 from timelaw.orientations.spread import measure_covering_radius
 
-MOST_ORIENTATIONS = 5000  # what a tour is searched for: a search holds all distances between them
+MOST_ORIENTATIONS = 5000
 PSI = 1.533751168755204288118041  # the root > 1 of x⁴ = x + 4
 NEEDED = 60.0  # n ρ³ of the finest spirals, measured: 64 to 80 for ρ of 15° to 60°
 STEP = 1.02  # sets grow by this factor until one is fine enough
@@ -35,7 +35,7 @@ def make_uniform(fill: float) -> tuple[Array, str | None]:
     The smallest of the lattices that do, otherwise the first spiral in a growing series.
 
     Raises:
-        InputError: it needs more orientations than a tour is searched for.
+        InputError: it needs too many orientations.
     """
     for name in LATTICES:  # in the order of their sizes
         if measure_covering_radius(points := make_lattice(name)) <= fill * (1 + ROUNDING):

@@ -7,8 +7,10 @@ from timelaw.numerics.array import Array
 from timelaw.progress import Progress
 from timelaw.tours.ends import Ends, list_visits
 from timelaw.tours.merit import Merit, Searched
-from timelaw.tours.search.held_karp import bound_by_trees
+from timelaw.tours.search.costs import CostMatrix
+from timelaw.tours.search.held_karp import TreeBound
 from timelaw.tours.search.subset_dp import MOST_NODES, Move, find_least
+from timelaw.tours.shares import bound_shares
 from timelaw.tours.shortest import EXACT, TREES, find_short_tour, list_places, open_cycle
 from timelaw.tours.travel_times import TravelTimes
 
@@ -34,15 +36,17 @@ def find_fastest(
     exact = _compared(travel, ends, runs)
     if exact is not None:
         return exact
-    charges = _charges(travel, runs)
-    starts = [find_short_tour(travel.legs, ends, progress), *known]
+    charges = CostMatrix(_charges(travel, runs))
+    trees = TreeBound(charges, ends)
+    starts = [find_short_tour(charges, ends, trees, progress), *known]
     if travel.straight_runs:
-        starts.append(find_short_tour(charges, ends, progress))
+        legs = CostMatrix(travel.legs)
+        starts.append(find_short_tour(legs, ends, TreeBound(legs, ends), progress))
     order = min((o for o in starts if ends.admits(o)), key=lambda o: sum_times(travel, o, closed=ends.closed))
     if travel.straight_runs and count <= MOST_POLISHED:
         order = _polished(travel, order, ends, progress)
     total = sum_times(travel, order, closed=ends.closed)
-    bound = max(bound_by_trees(charges, ends, total, progress), 0.0)
+    bound = max(trees.find(total, progress), 0.0)
     return Searched(order, (Merit(TIME, total + travel.rest, bound + travel.rest, TREES),))
 
 
@@ -96,14 +100,11 @@ def _starts(ends: Ends, runs: dict[Order, float]) -> list[Ends]:
 def _charges(travel: TravelTimes, runs: dict[Order, float] | None) -> Array:
     """Of each leg the least it can cost as a part of any run: the run's time in equal shares.
 
-    The shares of all legs of a tour add up to its time or less, so a bound on their sum is one on
-    the time. With too many runs to time, any leg that goes on somewhere may be cruised through.
+    The shares of all legs of a tour add up to its time or less, so a bound on their sum is one on the time.
     """
-    charges = travel.legs.copy()
     if runs is None:
-        for a, b in travel.straight_runs.legs():
-            charges[a, b] = charges[b, a] = min(travel.cruise[a, b], charges[a, b])
-        return charges
+        return bound_shares(travel)
+    charges = travel.legs.copy()
     for run, time in runs.items():
         share = time / (len(run) - 1)
         for a, b in pairwise(run):

@@ -9,13 +9,17 @@ import numpy as np
 from timelaw.errors import Fault, InputError, list_some
 from timelaw.numerics.quaternion import angle_between
 from timelaw.orientations import OrientationSet
-from timelaw.orientations.uniform import MOST_ORIENTATIONS
 from timelaw.problem import Problem
 from timelaw.problem.route import SEARCHED, RouteModel
 from timelaw.progress import Progress
 from timelaw.tours.ends import Ends, list_visits
 from timelaw.tours.fastest import find_fastest
-from timelaw.tours.graph.distances import NEIGHBOUR_TOLERANCE, find_minimal_distance, measure_distances
+from timelaw.tours.graph.distances import (
+    NEIGHBOUR_TOLERANCE,
+    find_minimal_distance,
+    list_neighbours,
+    measure_costs,
+)
 from timelaw.tours.graph.minimal_legs import MinimalLegs
 from timelaw.tours.merit import LENGTH, Merit, Searched
 from timelaw.tours.shortest import MINIMAL, bound_length, find_shortest
@@ -23,6 +27,7 @@ from timelaw.tours.straightest import STRAIGHT, TURNING, find_straightest
 from timelaw.tours.travel_rules import make_travel_times
 
 Order = tuple[int, ...]
+MOST_ORIENTATIONS = 10_000  # what a tour is searched for: half a minute
 PAPER_TOUR = (1, 12, 11, 3, 8, 10, 2, 7, 9, 6, 5, 4)
 
 
@@ -97,7 +102,8 @@ def sharpen(found: Tour, points: OrientationSet, progress: Progress | None = Non
     """The tour with the best bound on its length that can be computed, for tours with free ends."""
     if found.is_shortest or len(points) > MOST_ORIENTATIONS or len(points) < 3:
         return found
-    bound = bound_length(measure_distances(points.quaternions), Ends(found.closed), found.length, progress)
+    costs, ends = measure_costs(points.quaternions), Ends(found.closed)
+    bound = bound_length(costs, found.minimal, ends, found.length, progress)
     known = next(merit for merit in found.merits if merit.name == LENGTH)
     if known.proof != MINIMAL or bound.bound <= known.bound:
         return found
@@ -148,12 +154,9 @@ def _paper(wanted: Wanted) -> Searched:
 
 def _shortest(wanted: Wanted) -> Searched:
     """Of least total angle."""
-    return find_shortest(
-        measure_distances(wanted.points.quaternions),
-        wanted.ends,
-        wanted.progress,
-        wanted.points.precision.angle,
-    )
+    q, precision = wanted.points.quaternions, wanted.points.precision.angle
+    neighbours, minimal = list_neighbours(q, precision), find_minimal_distance(q)
+    return find_shortest(measure_costs(q), neighbours, minimal, wanted.ends, wanted.progress)
 
 
 def _fewest_stops(wanted: Wanted) -> Searched:

@@ -16,10 +16,12 @@ from timelaw.numerics.quaternion import angle_between
 from timelaw.numerics.turn import find_turn
 from timelaw.progress import Progress
 from timelaw.tours.graph.straight_runs import StraightRuns
+from timelaw.tours.search.costs import Indices
 
 BLOCK = 256  # rows of legs at a time: a few tens of megabytes also for thousands of orientations
 MOST_RUNS = 20_000
 MOST_RUNS_WITH_TORQUE = 4000  # most of which are alike
+MOST_TIMED = 5000  # nodes; the times of all legs are held
 MOST_WITH_TORQUE = 60  # nodes; each leg is a quadrature of some 15 ms
 
 
@@ -32,7 +34,7 @@ class TravelTimes:
     tour dwells in all; `precision` [rad] is that of the orientations.
 
     Raises:
-        InputError: no limit bounds some leg, or there are too many for a torque limit.
+        InputError: no limit bounds some leg, or there are too many, at all or for a torque limit.
     """
 
     def __init__(
@@ -45,24 +47,27 @@ class TravelTimes:
         rest: float = 0.0,
         precision: float = 0.0,
     ) -> None:
-        self.rest = rest
-        self._quaternions, self._limits, self._progress = quaternions, tuple(limits), progress
+        if len(quaternions) > MOST_TIMED:
+            most = f'"fastest" is searched for {MOST_TIMED} orientations at most, not for {len(quaternions)}'
+            raise InputError(Fault(f'{most}; use "shortest", or give the tour', "route.tour"))
+        self.rest, self.precision = rest, precision
+        self.quaternions, self._limits, self._progress = quaternions, tuple(limits), progress
         self._at = at or {}
         self.straight_runs = StraightRuns(quaternions, passable, precision)
         self.run = cache(self._run)
         self._known: dict[object, float] = {}
-        self._plain = not any(limit.couples for limit in chain(limits, *self._at.values()))
+        self.plain = not any(limit.couples for limit in chain(limits, *self._at.values()))
 
     @property
     def most_runs(self) -> int:
         """How many runs can be timed in some ten seconds."""
-        return MOST_RUNS if self._plain else MOST_RUNS_WITH_TORQUE
+        return MOST_RUNS if self.plain else MOST_RUNS_WITH_TORQUE
 
     @cached_property
     def legs(self) -> Array:
         """Least times (N, N) of single legs."""
-        count = len(self._quaternions)
-        if self._plain:
+        count = len(self.quaternions)
+        if self.plain:
             blocks = [self._rows(slice(at, at + BLOCK))[0] for at in range(0, count, BLOCK)]
             times = np.concatenate(blocks)
             np.fill_diagonal(times, 0.0)
@@ -85,12 +90,21 @@ class TravelTimes:
     @cached_property
     def cruise(self) -> Array:
         """Times (N, N) at the velocity limit all along, which no run beats; 0 where there is none."""
-        blocks = [self._rows(slice(at, at + BLOCK)) for at in range(0, len(self._quaternions), BLOCK)]
+        blocks = [self._rows(slice(at, at + BLOCK)) for at in range(0, len(self.quaternions), BLOCK)]
         return np.concatenate([angles / rates[0] for _, angles, rates in blocks])
+
+    def bound_rates(self, origins: Indices, targets: Indices) -> tuple[Array, Array, Array, Array]:
+        """Bounds on the rates of the angle on legs (M,), those of the limits that hold everywhere."""
+        axes = find_turn(self.quaternions[origins], self.quaternions[targets]).axis
+        bounds = [np.full(len(axes), inf) for _ in range(4)]
+        for limit in self._limits:
+            for order, found in limit.bound_rates(axes).items():
+                np.minimum(bounds[order - 1], found, out=bounds[order - 1])
+        return bounds[0], bounds[1], bounds[2], bounds[3]
 
     def _rows(self, rows: slice) -> tuple[Array, Array, list[Array]]:
         """Times, angles and bounds on the rates of the angle, of the legs from some of the orientations."""
-        q = self._quaternions
+        q = self.quaternions
         axes, angles, _ = find_turn(q[rows][:, None, :], q[None, :, :])
         bounds = [np.full(angles.shape, inf) for _ in range(4)]
         everywhere, first = slice(None), rows.start
@@ -108,7 +122,7 @@ class TravelTimes:
 
     def _run(self, visits: tuple[int, ...]) -> float:
         """Least time over visits about one axis."""
-        q = self._quaternions[list(visits)]
+        q = self.quaternions[list(visits)]
         angles, axis = angle_between(q[:-1], q[1:]), find_turn(q[0], q[1]).axis
         if not any(node in self._at for node in visits):
             demands = [Demand(float(np.sum(angles)), drop_implied(list_rows(self._limits, axis)))]

@@ -11,7 +11,7 @@ import numpy as np
 from timelaw.numerics.array import Array
 from timelaw.numerics.quaternion import angle_between, conjugate, multiply
 from timelaw.numerics.turn import allow_turn, angle_between_axes, find_turn
-from timelaw.tours.graph.distances import list_neighbours, measure_distances
+from timelaw.tours.graph.distances import list_neighbours
 
 
 @dataclass(frozen=True)
@@ -31,7 +31,7 @@ class MinimalLegs:
     @cached_property
     def neighbours(self) -> list[list[int]]:
         """Nodes at the minimal distance, of each node."""
-        return list_neighbours(measure_distances(self.quaternions), self.precision)
+        return list_neighbours(self.quaternions, self.precision)
 
     @cached_property
     def axes(self) -> dict[tuple[int, int], Array]:

@@ -1,6 +1,7 @@
 """Straight ways through any set of orientations: which legs go on about the same axis in the same sense."""
 
 from collections.abc import Collection, Iterator
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -13,6 +14,14 @@ Leg = tuple[int, int, int]  # from, to, sense
 SENSE = (1.0, 0.6180339887, 0.3183098862)  # no axis of a lattice is at right angles to it
 
 
+@dataclass(frozen=True)
+class Reach:
+    """What lies ahead on a great circle: the steps from each node to the next, and whether they go round."""
+
+    steps: tuple[tuple[int, int], ...]
+    ring: bool
+
+
 class StraightRuns:
     """For a leg i → j, the nodes k with the axis of j → k equal to its own, nearest first.
 
@@ -23,6 +32,7 @@ class StraightRuns:
 
     def __init__(self, quaternions: Array, passable: Collection[int], precision: float = 0.0) -> None:
         self._count, self._passable = len(quaternions), frozenset(passable)
+        self._known: dict[Leg, Reach] = {}
         self._onward: dict[Leg, list[tuple[int, int]]] = {}
         for j in range(len(quaternions)) if self._passable else ():
             for i, sense, k, after in _pairs(quaternions, j, precision):
@@ -39,6 +49,25 @@ class StraightRuns:
             if j in self._passable:
                 yield i, j
                 yield from ((j, k) for k, _ in onward)
+
+    def look_ahead(self, leg: Leg) -> Reach:
+        """The nodes after a leg, one after the other, whether the body may pass them or not."""
+        if leg[1] not in self._passable or leg not in self._onward:
+            return Reach((), False)
+        node, sense = self._onward[leg][0]
+        first = leg[1], node, sense
+        if first not in self._known:
+            self._known[first] = self._follow(first)
+        return self._known[first]
+
+    def _follow(self, leg: Leg) -> Reach:
+        """From a leg to the nearest node on, until it comes back to where the leg began."""
+        steps, start = [leg[:2]], leg[0]
+        while leg[1] != start and leg in self._onward:
+            node, sense = self._onward[leg][0]
+            leg = leg[1], node, sense
+            steps.append(leg[:2])
+        return Reach(tuple(steps), leg[1] == start)
 
     def runs(self) -> Iterator[tuple[int, ...]]:
         """All sequences of three and more different nodes about one axis; a whole ring ends at its start."""
