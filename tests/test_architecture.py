@@ -33,6 +33,7 @@ HOMES = {
     "click": "cli",
     "rich": "cli",
     "ruamel": "problem",
+    **dict.fromkeys(("fast_tsp", "pydrake", "ruckig", "toppra"), "reproduce"),
 }
 
 FACE = ("__version__",)  # what the package itself holds
