@@ -34,6 +34,7 @@ HOMES = {
     "rich": "cli",
     "ruamel": "problem",
     "distributed": "study",
+    **dict.fromkeys(("fast_tsp", "pydrake", "ruckig", "toppra"), "reproduce"),
 }
 
 FACE = ("__version__",)  # what the package itself holds

@@ -65,7 +65,7 @@ def test_a_long_command_shown_is_run(line, folder):
 
 def take_part(line):
     """The same command on less."""
-    sets = " --sets 2" if "through_tables" in line else ""
+    sets = " --sets 2" if "through_tables" in line else " --quick" if "benchmarks" in line else ""
     return COUNT.sub(lambda count: f"--count {max(2, int(count[1]) // PART)}", line) + sets
 
 
