@@ -109,9 +109,9 @@ def test_splines_over_runs_pass_their_nodes_smoothly():
         ("{basis: spline, degree: 4, intervals: 40}", 2, "spline of degree 4 on 40 intervals"),
         ("{basis: spline}", 3, "spline of degree 5 on 50 intervals"),
         ("{basis: double-s}", 2, "double-S profile"),
-        ("{basis: auto}", 2, "polynomial of degree 21"),
+        ("{basis: auto}", 2, "spline of degree 4 on 20 intervals"),
         ("{basis: auto, within: 5 %}", 2, "polynomial of degree 9"),
-        ("{basis: auto, within: 0.1 %}", 2, "spline of degree 3 on 28 intervals"),
+        ("{basis: auto, within: 0.1 %}", 2, "spline of degree 4 on 28 intervals"),
     ],
 )
 def test_easings_named_in_the_file_are_designed_and_certified(tmp_path, easing, continuity, label):

@@ -31,6 +31,7 @@ body:
   actuator: wheels
   momentum: [MOMENTUM]
 limits: {torque: TORQUE, momentum: STORED, jerk: 20 deg/s^3}
+easing: {degree: 9}
 """
 CASES = {
     "no net momentum": ("0 N*m*s, 0 N*m*s, 0 N*m*s", "[0.4 N*m, 0.3 N*m, 0.5 N*m]", "3 N*m*s"),

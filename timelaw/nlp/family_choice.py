@@ -12,6 +12,7 @@ from timelaw.errors import InfeasibleError
 from timelaw.nlp.program import Program, RunProblem
 from timelaw.nlp.single_runs import Solved, is_plain, solve_distinct, solve_runs
 from timelaw.nlp.solution import Timings
+from timelaw.objectives import OBJECTIVES
 from timelaw.problem import Problem
 from timelaw.progress import Progress
 from timelaw.requirements import Requirements
@@ -36,7 +37,8 @@ def solve_least_within(
     """The first family whose least time is near enough to the physical limit, or else the nearest.
 
     Families are judged by a few runs first, in the order of what they cost; then by all, from the one on that
-    was near enough there.
+    was near enough there. Where more than least time on the arcs is asked for, there is no limit to be near
+    to: the first that can do it.
 
     Raises:
         InfeasibleError: the requirements cannot be met.
@@ -46,10 +48,16 @@ def solve_least_within(
     solved: Solved = {}
     if len(families) > 1:
         families = _drop_infeasible(families, route, requirements, solved)
-        for weigh in (_weigh_few, _weigh_all):
+        for weigh in (_weigh_few, _weigh_all) if _is_least_time(problem, requirements) else ():
             search = _Search(route, requirements, weigh, kind.allowed_excess(easing), solved)
             families = families[families.index(search.find_near(families, progress)) :]
     return families[0], solve_runs(list_run_problems(route, requirements, families[0]), progress, solved)
+
+
+def _is_least_time(problem: Problem, requirements: Requirements) -> bool:
+    """Whether nothing is asked for but to be fast, on the arcs."""
+    separable = OBJECTIVES[problem.objective.minimise].separable
+    return separable and not requirements.arrivals and not problem.motion.through
 
 
 def _weigh_all(runs: Sequence[RunProblem]) -> dict[RunProblem, float]:
@@ -60,7 +68,9 @@ def _weigh_all(runs: Sequence[RunProblem]) -> dict[RunProblem, float]:
 
 def _weigh_few(runs: Sequence[RunProblem]) -> dict[RunProblem, float]:
     """A few distinct runs, short and long ones, each of which stands for an equal part of the whole time."""
-    ranked = sorted(runs, key=lambda run: run.run.limit)
+    ranked = sorted((run for run in runs if run.run.limit > 0), key=lambda run: run.run.limit)
+    if not ranked:
+        return _weigh_all(runs)
     passed = np.cumsum([run.run.limit for run in ranked])
     middles = (np.arange(SAMPLE) + 0.5) / SAMPLE * passed[-1]
     few = [ranked[index] for index in np.searchsorted(passed, middles).tolist()]
@@ -94,7 +104,12 @@ class _Search:
             weights = self.weigh(list_run_problems(self.route, self.requirements, family))
             if family != families[0] and any(_is_dear(run) for run in weights):
                 continue
-            excess = self._measure_excess(weights, progress)
+            try:
+                excess = self._measure_excess(weights, progress)
+            except InfeasibleError:
+                if family == families[0]:
+                    raise
+                continue  # the first one can do what is given
             if excess <= self.within or is_late():
                 return family
             gained = least_excess - excess

@@ -116,6 +116,7 @@ def list_neighbours(quaternions: Array, precision: float = 0.0) -> list[list[int
     """
     from scipy.spatial import cKDTree
 
+    quaternions = quaternions / np.linalg.norm(quaternions, axis=1, keepdims=True)  # chords tell the norm
     most = find_minimal_distance(quaternions) + max(NEIGHBOUR_TOLERANCE, 4 * precision)
     both, chord = np.concatenate([quaternions, -quaternions]), 2 * np.sin(min(most, 2 * np.pi) / 4)
     around = cKDTree(both).query_ball_point(quaternions, chord + CHORD_ROUNDING, return_sorted=True)
