@@ -23,6 +23,12 @@ def fit_double_s(demands: Sequence[Demand]) -> tuple[Timing, ...]:
     return fit_to_limits(demands, cut_double_s(angles, *choose_bounds(demands)))
 
 
+def classify_profile(demands: Sequence[Demand]) -> int:
+    """The class C^k of the double-S profile: 2 where jerk is limited, 1 where acceleration is, else 0."""
+    _, a, j = choose_bounds(demands)
+    return 2 if j < inf else 1 if a < inf else 0
+
+
 def spread_double_s(demand: Demand, duration: float) -> Timing:
     """The profile over a leg in a given time that uses the least part p of the limits on its plain rates.
 

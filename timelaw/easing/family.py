@@ -8,7 +8,7 @@ import numpy as np
 
 from timelaw.easing import smoothstep
 from timelaw.easing.breaks import divide_breaks, merge_breaks
-from timelaw.easing.double_s_easing import cut_double_s, fit_double_s
+from timelaw.easing.double_s_easing import classify_profile, cut_double_s, fit_double_s
 from timelaw.easing.polynomial_basis import PolynomialBasis
 from timelaw.easing.spline_basis import SplineBasis
 from timelaw.easing.timing import Timing
@@ -196,12 +196,6 @@ class SplineFamily:
     def polynomials(self) -> PolynomialBasis | None:
         """None: the breaks are those of the leg's own profile."""
         return None
-
-
-def classify_profile(demands: Sequence[Demand]) -> int:
-    """The class C^k of the double-S profile: 2 where jerk is limited, 1 where acceleration is, else 0."""
-    _, a, j = choose_bounds(demands)
-    return 2 if j < float("inf") else 1 if a < float("inf") else 0
 
 
 @dataclass(frozen=True)

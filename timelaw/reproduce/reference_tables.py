@@ -1,7 +1,7 @@
 """The tables of results: `python -m timelaw.reproduce.reference_tables PAGE PROBLEM.yaml …`.
 
 Every number comes from designing anew: the problem files for the reference results, and every lattice
-and tour under one set of limits, all legs by polynomials of degree 9, for what tours are worth.
+and tour under one set of limits, by the easing that is the default, for what tours are worth.
 The tables between their marks are replaced.
 """
 

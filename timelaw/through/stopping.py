@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from timelaw.easing.family import classify_profile
+from timelaw.easing.double_s_easing import classify_profile
 from timelaw.least_time.phase_plane import has_coupling
 from timelaw.problem import Problem
 from timelaw.problem.objective import Goal
