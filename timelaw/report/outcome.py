@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from math import inf, isfinite
 
-from timelaw.easing.family import classify_profile
+from timelaw.easing.double_s_easing import classify_profile
 from timelaw.easing.time_scaling import used_fraction
 from timelaw.least_time.constant_bounds import rate_bounds
 from timelaw.least_time.phase_plane import has_coupling

@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from timelaw.easing.family import classify_profile
+from timelaw.easing.double_s_easing import classify_profile
 from timelaw.errors import Fault, InputError, list_some
 from timelaw.limits import Bounds, Demand, drop_implied, list_rows, make_limits
 from timelaw.limits.body import RigidBody
