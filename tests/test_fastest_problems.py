@@ -67,6 +67,8 @@ def laid_out(folder, route, more, limits, tour):
 
 
 LONGER = {
+    "ring from",
+    "no velocity limit",
     "half-turns by a stop",
     "row, closed",
     "dwells",

@@ -17,6 +17,8 @@ THREE = "[[0, 0, 0], [40, 0, 0], [90, 0, 0], [90, 60, 0]]"
 INERTIA = "[[12 kg*m^2, 1 kg*m^2, -0.5 kg*m^2], [1 kg*m^2, 10 kg*m^2, 0.7 kg*m^2], [-0.5 kg*m^2, 0.7 kg*m^2, 8 kg*m^2]]"
 WHEELS = f"body: {{inertia: {INERTIA}, actuator: wheels, momentum: [0.2 N*m*s, -0.3 N*m*s, 0.6 N*m*s]}}"
 
+NINE = "easing: {basis: polynomial, degree: 9}"
+
 
 def _text(places: str, limits: str, *lines: str) -> str:
     route = f"route: {{orientations: {{list: {places}, as: euler, sequence: XYZ, unit: deg}}, tour: given}}"
@@ -24,7 +26,7 @@ def _text(places: str, limits: str, *lines: str) -> str:
 
 
 PROBLEMS = {
-    "polynomial": _text(THREE, RATES),
+    "polynomial": _text(THREE, RATES, NINE),
     "spline": _text(
         THREE, f"{RATES}, snap: 9000 deg/s^4", "easing: {basis: spline, degree: 5, intervals: 12}",
         "nodes: {continuity: 3, dwell: 0.5 s}",
@@ -35,24 +37,24 @@ PROBLEMS = {
         "[[0, 0, 0], [30, 20, 0], [30, 20, 50]]",
         "velocity: [60 deg/s, 50 deg/s, 40 deg/s], acceleration: [120 deg/s^2, 90 deg/s^2, 200 deg/s^2], "
         "jerk: [600 deg/s^3, 700 deg/s^3, 900 deg/s^3]",
-        "nodes: {dwell: 0.4 s}", "segments: {1-2: {limits: {velocity: 20 deg/s}}}",
+        "nodes: {dwell: 0.4 s}", NINE, "segments: {1-2: {limits: {velocity: 20 deg/s}}}",
     ),
     "torque": _text(
-        THREE, "torque: 4 N*m, momentum: 8 N*m*s, jerk: 90 deg/s^3", f"body: {{inertia: {INERTIA}}}"
+        THREE, "torque: 4 N*m, momentum: 8 N*m*s, jerk: 90 deg/s^3", f"body: {{inertia: {INERTIA}}}", NINE
     ),
     "torque by axis": _text(
-        THREE, "torque: [4 N*m, 5 N*m, 3 N*m], jerk: 90 deg/s^3", f"body: {{inertia: {INERTIA}}}",
+        THREE, "torque: [4 N*m, 5 N*m, 3 N*m], jerk: 90 deg/s^3", f"body: {{inertia: {INERTIA}}}", NINE,
     ),
     "wheels": _text(
         THREE, "torque: [0.4 N*m, 0.3 N*m, 0.5 N*m], momentum: [4 N*m*s, 3 N*m*s, 3 N*m*s], jerk: 20 deg/s^3",
-        WHEELS, "nodes: {dwell: 3 s}",
+        WHEELS, "nodes: {dwell: 3 s}", NINE,
     ),
-    "wheels by norm": _text(THREE, "torque: 0.4 N*m, momentum: 4 N*m*s, jerk: 20 deg/s^3", WHEELS),
+    "wheels by norm": _text(THREE, "torque: 0.4 N*m, momentum: 4 N*m*s, jerk: 20 deg/s^3", WHEELS, NINE),
     "moving ends": _text(
         "[[0, 0, 0], [90, 0, 0], [90, 80, 0]]", RATES,
-        "nodes: {start: {velocity: 30 deg/s}, end: {velocity: 20 deg/s}}",
+        "nodes: {start: {velocity: 30 deg/s}, end: {velocity: 20 deg/s}}", NINE,
     ),
-    "slow leg": _text(THREE, RATES, "segments: {1-2: {limits: {velocity: 10 deg/s}}}", "nodes: {at: {2: {stop: true}}}"),
+    "slow leg": _text(THREE, RATES, NINE, "segments: {1-2: {limits: {velocity: 10 deg/s}}}", "nodes: {at: {2: {stop: true}}}"),
 }  # fmt: skip
 
 
