@@ -264,7 +264,8 @@ def test_no_number_or_name_is_cut_on_a_narrow_terminal(tmp_path):
 )
 def test_the_terminal_speaks_the_files_units_and_names_them(tmp_path, limits, shown, unit):
     route = "{orientations: {list: [[1,0,0,0], [0.6,0.8,0,0]]}}"
-    (tmp_path / "u.yaml").write_text(f"timelaw: 1\nname: u\nroute: {route}\nlimits: {limits}\n")
+    text = f"timelaw: 1\nname: u\nroute: {route}\nlimits: {limits}\neasing: {{degree: 9}}\n"
+    (tmp_path / "u.yaml").write_text(text)
     done = timelaw("design", tmp_path / "u.yaml", "-o", tmp_path / "out")
     rows = [line.split() for line in done.stderr.splitlines()]
     assert [unit, shown] in [row[1:3] for row in rows]

@@ -172,7 +172,7 @@ def test_what_cannot_brake_says_so_with_the_angle_it_takes(tmp_path):
 
 
 def test_where_no_law_stays_on_the_arc_one_beyond_it_is_found_and_said(tmp_path):
-    done = make(tmp_path, turns(0, 9) + LIMITS + "nodes: {start: {velocity: 60 deg/s}}\n")
+    done = make(tmp_path, turns(0, 9) + LIMITS + NINE + "nodes: {start: {velocity: 60 deg/s}}\n")
     assert done.optimised.certificate.findings() == []
     assert not on_its_arcs(done.optimised.law)
     assert "beyond a node" in done.solution.solutions[0].status.value

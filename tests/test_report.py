@@ -73,7 +73,8 @@ def test_names_from_files_are_escaped(paper):
 
 def made(tmp_path, text, name="report"):
     path = tmp_path / f"{name}.yaml"
-    path.write_text(f"timelaw: 1\nname: {name}\n{text}")
+    easing = "" if "easing" in text or "motion" in text else "easing: {degree: 9}\n"
+    path.write_text(f"timelaw: 1\nname: {name}\n{text}{easing}")
     return design(path)
 
 
