@@ -31,5 +31,5 @@ def draw_growth(lines: Mapping[str, Sequence[tuple[float, float]]]) -> str:
         ax.set_ylabel("CPU time [s]")
         ax.set_title(TITLE, fontsize=9)
         ax.grid(visible=True, which="major", linewidth=0.3)
-        ax.legend(loc="upper left")
+        figure.legend(loc="outside lower center", ncols=2)  # no corner is free of lines for all sizes
         return render_svg(figure, "growth")
