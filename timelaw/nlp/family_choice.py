@@ -21,6 +21,7 @@ from timelaw.time_limit import is_late
 
 SAME_DURATION = 1e-9
 PROBES = 4  # of the families, cheapest first, that are tried where the cheapest cannot do what is given
+LITTLE = 0.25  # of what is near enough, gained by a finer spline: the limit is not to be reached so
 SAMPLE = 3  # runs by which families are judged before one of them solves all
 
 
@@ -50,7 +51,10 @@ def solve_least_within(
         families = _drop_infeasible(families, route, requirements, solved)
         for weigh in (_weigh_few, _weigh_all) if _is_least_time(problem, requirements) else ():
             search = _Search(route, requirements, weigh, kind.allowed_excess(easing), solved)
-            families = families[families.index(search.find_near(families, progress)) :]
+            family, near = search.find_near(families, progress)
+            families = families[families.index(family) :]
+            if not near:
+                break
     return families[0], solve_runs(list_run_problems(route, requirements, families[0]), progress, solved)
 
 
@@ -92,12 +96,13 @@ class _Search:
     within: float
     solved: Solved
 
-    def find_near(self, families: Sequence[Family], progress: Progress | None) -> Family:
-        """The first of the families that is near enough, or else the nearest.
+    def find_near(self, families: Sequence[Family], progress: Progress | None) -> tuple[Family, bool]:
+        """The first of the families that is near enough, or else the nearest; and whether it is near enough.
 
         Families that are dear are passed over, but for the first. The search ends where runs begin or end
         moving, or have times, at one that gains less than half of what is near enough: there the limit is one
-        that need not be reached by any law. When the time is over, the family at hand is taken.
+        that need not be reached by any law; or where a finer spline hardly gains, as where torque moves the
+        breaks. When the time is over, the family at hand is taken.
         """
         nearest, least_excess = families[0], inf
         for family in families:
@@ -111,13 +116,15 @@ class _Search:
                     raise
                 continue  # the first one can do what is given
             if excess <= self.within or is_late():
-                return family
+                return family, True
             gained = least_excess - excess
+            if 0 < gained < LITTLE * self.within and family.polynomials is None:
+                break
             if gained > 0:
                 nearest, least_excess = family, excess
             if gained < self.within / 2 and not all(run.elastic for run in weights):
                 break
-        return nearest
+        return nearest, False
 
     def _measure_excess(self, weights: dict[RunProblem, float], progress: Progress | None) -> float:
         """What part of their limits the runs take beyond them.
