@@ -26,7 +26,15 @@ def draw_growth(lines: Mapping[str, Sequence[tuple[float, float]]]) -> str:
         for factor, label in GUIDES.items():
             times = [factor * end for end in ends]
             ax.plot(ends, times, color=MUTED, linewidth=0.8, linestyle=DASHED)
-            ax.annotate(label, (ends[1], times[1]), color=MUTED, ha="right", va="bottom", fontsize=SIZE)
+            ax.annotate(
+                label,
+                (ends[0], times[0]),
+                (6, -2),
+                textcoords="offset points",
+                color=MUTED,
+                va="top",
+                fontsize=SIZE,
+            )
         ax.set_xlabel("legs, or nodes of a tour")
         ax.set_ylabel("CPU time [s]")
         ax.set_title(TITLE, fontsize=9)
