@@ -220,3 +220,11 @@ def test_a_double_s_is_refused_for_what_its_limits_cannot_give(tmp_path, limits,
         make(tmp_path, text + f"nodes: {{continuity: {continuity}}}\n")
     if possible:
         assert proved(tmp_path, text + f"nodes: {{continuity: {possible}}}\n")
+
+
+def test_auto_takes_what_every_run_can_do_although_it_looks_at_a_few(tmp_path):
+    """A short run that begins too fast for its arc among long ones from rest to rest: splines find no law there."""
+    places = "[[0, 0, 0], [9, 0, 0], [9, 90, 0], [99, 90, 0], [99, 10, 0], [30, 10, 0], [30, 100, 0]]"
+    route = f"route: {{orientations: {{list: {places}, as: euler, sequence: XYZ, unit: deg}}, tour: given}}\n"
+    done = make(tmp_path, route + LIMITS + "nodes: {start: {velocity: 60 deg/s}}\n")
+    assert done.optimised.certificate.findings() == []

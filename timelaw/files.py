@@ -166,11 +166,11 @@ def write_files(contents: Mapping[Path, Content]) -> None:
     written: dict[Path, str] = {}
     try:
         for path, content in contents.items():
-            with _naming(path):
+            with name_refusals(path):
                 _write_beside(path, content, written)
         with finish_work():
             for path, temporary in list(written.items()):
-                with _naming(path):
+                with name_refusals(path):
                     os.replace(temporary, path)
                 del written[path]
     finally:
@@ -207,7 +207,7 @@ def write_content(file: BinaryIO, content: Content) -> None:
 
 
 @contextmanager
-def _naming(path: Path) -> Iterator[None]:
+def name_refusals(path: Path) -> Iterator[None]:
     """What the system refuses is told of this file.
 
     Raises:

@@ -2,6 +2,7 @@
 
 from collections import Counter
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from math import inf
 
@@ -48,14 +49,25 @@ def solve_least_within(
     families = list(kind.families(easing, problem.nodes.continuity))
     solved: Solved = {}
     if len(families) > 1:
-        families = _drop_infeasible(families, route, requirements, solved)
+        families = able = _drop_infeasible(families, route, requirements, solved)
         for weigh in (_weigh_few, _weigh_all) if _is_least_time(problem, requirements) else ():
             search = _Search(route, requirements, weigh, kind.allowed_excess(easing), solved)
             family, near = search.find_near(families, progress)
             families = families[families.index(family) :]
             if not near:
                 break
-    return families[0], solve_runs(list_run_problems(route, requirements, families[0]), progress, solved)
+        if families[0] != able[0]:
+            with suppress(InfeasibleError):  # a run that was not looked at may ask for the first that is able
+                return _solve_all(families[0], route, requirements, progress, solved)
+            families = able
+    return _solve_all(families[0], route, requirements, progress, solved)
+
+
+def _solve_all(
+    family: Family, route: Route, requirements: Requirements, progress: Progress | None, solved: Solved
+) -> tuple[Family, Timings]:
+    """Least-time solutions of all runs by one family."""
+    return family, solve_runs(list_run_problems(route, requirements, family), progress, solved)
 
 
 def _is_least_time(problem: Problem, requirements: Requirements) -> bool:
@@ -112,9 +124,7 @@ class _Search:
             try:
                 excess = self._measure_excess(weights, progress)
             except InfeasibleError:
-                if family == families[0]:
-                    raise
-                continue  # the first one can do what is given
+                continue  # another one can do what is given, or the last word is said by what solves all
             if excess <= self.within or is_late():
                 return family, True
             gained = least_excess - excess

@@ -16,7 +16,7 @@ from pathlib import Path
 from pydantic_core import from_json
 
 from timelaw.errors import Fault, InputError
-from timelaw.files import replace_unbounded
+from timelaw.files import name_refusals, replace_unbounded
 from timelaw.results_folder.locks import try_lock
 from timelaw.study.outcome import Outcome, parse_outcome
 
@@ -44,7 +44,7 @@ class SweepLog(UserDict[str, Outcome]):
             InputError: it cannot be written; what was there is whole.
         """
         line = json.dumps(replace_unbounded({"key": key, **outcome.to_dict()}), default=str)
-        with _naming(self.path):
+        with name_refusals(self.path):
             self._append(line)
         self.data.update([_parse_line(line)])
 
@@ -118,11 +118,11 @@ def open_log(folder: Path) -> Iterator[SweepLog]:
     """
     path = folder / NAME
     made = [one for one in (folder, *folder.parents) if not one.exists()]
-    with _naming(path):
+    with name_refusals(path):
         folder.mkdir(parents=True, exist_ok=True)
         descriptor = _open_alone(path)
     try:
-        with _naming(path):
+        with name_refusals(path):
             log = SweepLog(path, descriptor)
         try:
             yield log
@@ -169,16 +169,3 @@ def _is_at(path: Path, status: os.stat_result) -> bool:
     with suppress(FileNotFoundError):
         return os.path.samestat(path.stat(), status)
     return False
-
-
-@contextmanager
-def _naming(path: Path) -> Iterator[None]:
-    """What is refused is told of this file.
-
-    Raises:
-        InputError: something was refused.
-    """
-    try:
-        yield
-    except OSError as error:
-        raise InputError(Fault(f"cannot be written: {error.strerror or error}", "", str(path))) from None
