@@ -4,7 +4,10 @@ import numpy as np
 import pytest
 
 from timelaw import design
-from timelaw.errors import InfeasibleError, InputError
+from timelaw.easing.family import PolynomialFamily
+from timelaw.errors import Fault, InfeasibleError, InputError
+from timelaw.nlp import single_runs
+from timelaw.nlp.given_runs import solve_given
 
 HEAD = "timelaw: 1\nname: given\n"
 LIMITS = "limits: {velocity: 60 deg/s, acceleration: 120 deg/s^2, jerk: 600 deg/s^3}\n"
@@ -222,9 +225,17 @@ def test_a_double_s_is_refused_for_what_its_limits_cannot_give(tmp_path, limits,
         assert proved(tmp_path, text + f"nodes: {{continuity: {possible}}}\n")
 
 
-def test_auto_takes_what_every_run_can_do_although_it_looks_at_a_few(tmp_path):
-    """A short run that begins too fast for its arc among long ones from rest to rest: splines find no law there."""
+def test_auto_takes_what_every_run_can_do_although_it_looks_at_a_few(tmp_path, monkeypatch):
+    """A short run that begins at speed among long ones, where no other family is made to find a law."""
     places = "[[0, 0, 0], [9, 0, 0], [9, 90, 0], [99, 90, 0], [99, 10, 0], [30, 10, 0], [30, 100, 0]]"
     route = f"route: {{orientations: {{list: {places}, as: euler, sequence: XYZ, unit: deg}}, tour: given}}\n"
-    done = make(tmp_path, route + LIMITS + "nodes: {start: {velocity: 60 deg/s}}\n")
+
+    def solve(problem):
+        if problem.family != PolynomialFamily(9, 2):
+            raise InfeasibleError(Fault("no law"))
+        return solve_given(problem)
+
+    monkeypatch.setattr(single_runs, "solve_given", solve)
+    done = make(tmp_path, route + LIMITS + "nodes: {start: {velocity: 10 deg/s}}\n")
+    assert done.family == PolynomialFamily(9, 2)
     assert done.optimised.certificate.findings() == []
