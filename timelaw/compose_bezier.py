@@ -15,6 +15,7 @@ from timelaw.motion.quaternion_curve import QuaternionCurve
 from timelaw.motion.rational import Rational
 from timelaw.numerics.array import Array
 from timelaw.numerics.composition import Wide, compose_control, halve_control, integrate_state
+from timelaw.numerics.joined import round_joined
 
 UNEVEN = 6.0  # largest over least control point of |Q|² on a piece; of its sixth power five digits are lost
 MOST_HALVINGS = 6  # of a piece of an easing
@@ -22,10 +23,11 @@ MOST_HALVINGS = 6  # of a piece of an easing
 
 @dataclass(frozen=True)
 class Legwork:
-    """A curve with its timing, how many derivatives vanish at its start and end, and limits of its own."""
+    """A curve, its timing of class C^`continuity`, how many derivatives vanish at its ends, its limits."""
 
     curve: Curve
     timing: Timing
+    continuity: int
     still: tuple[int, int]
     limits: Mapping[str, Bounds]
 
@@ -62,13 +64,10 @@ def _follow(leg: Legwork, start: float) -> Rational:
             curve, piece.duration, integrate_state(piece.duration, piece.state, piece.control), MOST_HALVINGS
         )
     ]
-    pieces, origins = [], []
-    for index, (duration, easing) in enumerate(parts):
-        still = (leg.still[0] if index == 0 else None, leg.still[1] if index == len(parts) - 1 else None)
-        turn = QuaternionCurve(duration, _compose(curve.control, easing, still))
-        pieces.append(turn)
-        if curve.numerator is not None:
-            origins.append(OriginCurve(_compose(curve.numerator, easing, still), turn))
+    pieces = tuple(map(QuaternionCurve, *_compose(curve.control, parts, leg)))
+    origins: tuple[OriginCurve, ...] = ()
+    if curve.numerator is not None:
+        origins = tuple(map(OriginCurve, _compose(curve.numerator, parts, leg)[1], pieces))
     first, last = curve.orientation(np.array([0.0, 1.0]))
     return Rational(
         curve.origin,
@@ -77,9 +76,9 @@ def _follow(leg: Legwork, start: float) -> Rational:
         timing.duration,
         first,
         last,
-        tuple(pieces),
+        pieces,
         leg.limits,
-        tuple(origins),
+        origins,
     )
 
 
@@ -97,11 +96,13 @@ def _cut(curve: Curve, duration: float, easing: Wide, halvings: int) -> Iterator
         yield from _cut(curve, duration / 2, half, halvings - 1)
 
 
-def _compose(outer: Array, easing: Wide, still: tuple[int | None, int | None]) -> Array:
-    """Control points of the composition; at an end where k derivatives vanish k + 1 points are the same."""
-    found = compose_control(outer, easing).astype(float)
-    if still[0] is not None:
-        found[: still[0] + 1] = outer[0]
-    if still[1] is not None:
-        found[len(found) - 1 - still[1] :] = outer[-1]
-    return found
+def _compose(
+    outer: Array, parts: Sequence[tuple[float, Wide]], leg: Legwork
+) -> tuple[list[float], list[Array]]:
+    """Durations and control points; at an end where k derivatives vanish k + 1 points are the same."""
+    durations = [duration for duration, _ in parts]
+    found = round_joined([compose_control(outer, easing) for _, easing in parts], durations, leg.continuity)
+    first, last = leg.still
+    found[0][: first + 1] = outer[0]
+    found[-1][len(found[-1]) - 1 - last :] = outer[-1]
+    return durations, found

@@ -180,7 +180,7 @@ def _lay(problem: Problem, runs: Sequence[Run], choices: Sequence[Choice]) -> Qu
         timings = choice.timings(run)
         for k, (leg, timing) in enumerate(zip(run.legs, timings, strict=True)):
             still = (0 if k else r, r if k == len(run.legs) - 1 else 0)
-            works.append(Legwork(leg.curve, timing, still, _own(problem, leg.curve)))
+            works.append(Legwork(leg.curve, timing, r, still, _own(problem, leg.curve)))
     labels = [works[0].curve.origin, *(work.curve.target for work in works)]
     shape = problem.body.shape if problem.body else None
     asked = problem.nodes.continuity

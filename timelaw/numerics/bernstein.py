@@ -6,7 +6,7 @@ subdivision is a convex combination, and neither ever loses digits as the power 
 """
 
 from functools import cache
-from math import comb
+from math import comb, perm
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -29,10 +29,12 @@ def evaluate(control: ArrayLike, u: ArrayLike) -> Array:
 def differentiate(control: ArrayLike, order: int = 1) -> Array:
     """Control points of the derivative, n!/(n - k)! Δ^k c; of degree 0 where order k > n."""
     c = np.asarray(control, dtype=float)
-    for _ in range(order):
-        degree = c.shape[-1] - 1
-        c = degree * np.diff(c, axis=-1) if degree else np.zeros_like(c)
-    return c
+    degree = c.shape[-1] - 1
+    if order > degree:
+        return np.zeros_like(c[..., :1])
+    return np.asarray(
+        np.diff(c, n=order, axis=-1) * float(perm(degree, order))
+    )  # differences are often exact
 
 
 @cache
