@@ -101,3 +101,30 @@ def test_where_the_path_is_g1_only_the_body_stops_but_not_where_that_is_enough()
     through = make(curves, "velocity: 60 deg/s, acceleration: 120 deg/s^2", "nodes: {continuity: 1}")
     assert through.passed == (True,)
     assert through.optimised.certificate.findings() == []
+
+
+SLOW = "velocity: [0.001 rad/s, 0.0004 rad/s, 0.0005 rad/s], linear_velocity: 1 m/s"
+
+
+@pytest.mark.parametrize("far", [1e2, 1e6, 1e9])
+@pytest.mark.parametrize("form", ["{0} {1}", "[{0} {1}, {0} {1}, {0} {1}]"])
+def test_limits_that_are_never_reached_change_nothing(form, far):
+    """Whatever their scale: the search is not spoiled by rows a trillion times away from what they bound."""
+    curves = halves(0.3, 1.3)
+    units = {"acceleration": "rad/s^2", "jerk": "rad/s^3", "linear_acceleration": "m/s^2"}
+    more = ", ".join(f"{name}: {form.format(far, unit)}" for name, unit in units.items())
+    alone, together = make(curves, SLOW), make(curves, f"{SLOW}, {more}")
+    assert together.optimised.certificate.findings() == []
+    assert together.optimised.law.duration == pytest.approx(alone.optimised.law.duration, rel=1e-6)
+    assert together.runs[0].found.choice.total < 0.8 * together.runs[0].found.begun
+
+
+def test_a_search_begins_with_each_curve_in_its_own_least_time():
+    """A curve that has to be slow does not slow the others, so that no law is slower than one that stops."""
+    curves = halves(0.3)
+    more = "segments: {{'{}': {{limits: {{velocity: 0.02 deg/s}}}}}}\nbaselines: [quintic]"
+    for leg in ("1-2", "2-3"):
+        design = make(curves, BOTH, more.format(leg))
+        assert design.passed == (True,)
+        assert design.runs[0].found.begun == pytest.approx(design.baselines[0].law.duration, rel=1e-3)
+        assert design.optimised.law.duration < design.baselines[0].law.duration

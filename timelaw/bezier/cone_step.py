@@ -22,9 +22,10 @@ def solve_step(run: Run, choice: Choice, radius: float) -> tuple[Array | None, i
     scales = _scale(run, choice)
     linear, right, cones, heads = _linearise(run, choice)
     identity = sparse.identity(len(scales), format="csc")
-    matrix = np.concatenate([linear, cones]) * scales
-    sizes = np.maximum(np.max(np.abs(matrix[: len(linear)]), axis=1, initial=0.0), TINY)
-    matrix[: len(linear)] /= sizes[:, None]
+    linear, right = _drop_far(linear * scales, right, radius)
+    cones, heads = _drop_far_cones(cones * scales, heads, radius)
+    sizes = np.maximum(np.max(np.abs(linear), axis=1, initial=0.0), TINY)
+    matrix = np.concatenate([linear / sizes[:, None], cones])
     cost = np.zeros(len(scales))
     cost[: len(run.legs)] = choice.durations / choice.total
     found = solve_cones(
@@ -34,6 +35,20 @@ def solve_step(run: Run, choice: Choice, radius: float) -> tuple[Array | None, i
         (2 * len(scales) + len(linear), 0, len(cones) // HEAD),
     )
     return None if found is None else found * scales, len(linear) + len(cones)
+
+
+def _drop_far(rows: Array, right: Array, radius: float) -> tuple[Array, Array]:
+    """Rows a · x ≤ b that an x within the radius can reach: others, of any scale, spoil the solution."""
+    near = np.sum(np.abs(rows), axis=1) * radius > right
+    return rows[near], right[near]
+
+
+def _drop_far_cones(rows: Array, heads: Array, radius: float) -> tuple[Array, Array]:
+    """The same of cones of a size of at most one."""
+    blocks, value = rows.reshape(-1, HEAD, rows.shape[1]), heads.reshape(-1, HEAD)
+    reach = np.abs(value[:, 1:]) + np.sum(np.abs(blocks[:, 1:]), axis=2) * radius
+    near = np.linalg.norm(reach, axis=1) > value[:, 0]
+    return blocks[near].reshape(-1, rows.shape[1]), value[near].ravel()
 
 
 def _linearise(run: Run, choice: Choice) -> tuple[Array, Array, Array, Array]:

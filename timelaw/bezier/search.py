@@ -148,15 +148,18 @@ def _find_root(run: Run, choice: Choice) -> float:
 
 
 def settle(run: Run, choice: Choice, where: str) -> Choice:
-    """The start in its least time."""
+    """The start, which stops at every node, with each leg in its least time."""
+    durations = []
     for k, leg in enumerate(run.legs):
         if not _is_limited(leg, choice.states(run, k)):
             message = f"nothing that is limited moves on curve {leg.curve.name}: no time is the least"
             raise InfeasibleError(Fault(message, where))
-    factor = find_stretch(run, choice)
-    if not 0 < factor < np.inf:
-        raise InfeasibleError(Fault(f"no time is long enough for curve {run.legs[0].curve.name}", where))
-    return choice.stretched(factor)
+        alone = Choice(choice.durations[k : k + 1], choice.free[k : k + 1], choice.rates[:0])
+        factor = find_stretch(Run((leg,), ()), alone)
+        if not 0 < factor < np.inf:
+            raise InfeasibleError(Fault(f"no time is long enough for curve {leg.curve.name}", where))
+        durations.append(alone.total * factor)
+    return replace(choice, durations=np.array(durations))
 
 
 def _is_limited(leg: Leg, states: Array) -> bool:
