@@ -10,7 +10,7 @@ import numpy as np
 from tests.campaign.legs import Leg, lay
 from tests.campaign.spec import RATES, Spec
 
-NODES, WEIGHTS = np.polynomial.legendre.leggauss(16)
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(32)  # a curve bends too fast for 16
 CHEBYSHEV = (1 - np.cos(np.linspace(0, np.pi, 25))) / 2
 HIGHEST = 4
 CLEAR = 16  # rounding errors of a time, by which samples keep clear of breaks
