@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from tests.curves import LINEAR, RATES, TURNS, curve, evaluate, halves, make, read_given
+from tests.curves import LINEAR, PLACES, RATES, TURNS, curve, evaluate, halves, make, read_given
 from tests.test_bezier import example
 from timelaw.bezier.joints import find_joints
 
@@ -132,3 +132,27 @@ def test_a_search_begins_with_each_curve_in_its_own_least_time():
         assert design.passed == (True,)
         assert design.runs[0].found.begun == pytest.approx(design.baselines[0].law.duration, rel=1e-3)
         assert design.optimised.law.duration < design.baselines[0].law.duration
+
+
+POLYNOMIAL, SPLINE = "{basis: polynomial, degree: 11}", "{basis: spline, degree: 7, intervals: 12}"
+FEW = [(4, POLYNOMIAL, 1e-6, 1e4), (4, SPLINE, 1.0, 1e6), (3, SPLINE, 1e-8, 0.0)]
+SMALL_OR_FAR = [(1e-3, 0.0), (1e-6, 0.0), (1e-8, 0.0), (1.0, 1e3), (1.0, 1e6), (1e-6, 1e4)]
+REST = [
+    pytest.param(*case, marks=pytest.mark.campaign)
+    for case in (
+        (k, easing, *part) for k in (3, 4) for easing in (POLYNOMIAL, SPLINE) for part in SMALL_OR_FAR
+    )
+    if case not in FEW
+]
+
+
+@pytest.mark.parametrize(("continuity", "easing", "small", "far"), FEW + REST)
+def test_curves_that_turn_by_little_or_far_from_the_origin_are_as_smooth_as_asked(
+    continuity, easing, small, far
+):
+    """Their highest derivatives are differences of nearly equal numbers."""
+    control = np.array([1.0, 0, 0, 0]) + small * np.random.default_rng(5).normal(size=(4, 4))
+    more = f"nodes: {{continuity: {continuity}}}\neasing: {easing}\n{DEFAULT}"
+    certificate = make([curve(control, PLACES + far)], BOTH, more).optimised.certificate
+    assert certificate.findings() == []
+    assert min(certificate.order, certificate.translation.order) >= continuity

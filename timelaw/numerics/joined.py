@@ -19,7 +19,7 @@ SAME_RATIO = 1e-12  # that of two durations is taken for a whole number
 
 
 def round_joined(pieces: Sequence[Wide], durations: Sequence[float], order: int) -> list[Array]:
-    """Control points (n+1, d) over `durations`, rounded; where two meet, k-th derivatives agree for k ≤ order.
+    """Control points (n+1, d) over `durations`, rounded; where two meet, derivatives agree up to an order.
 
     With ∇^i l the last backward differences of the left piece in steps of the grid, rounded to whole numbers,
     and s = h_right/h_left, l_(n-j) = Σ_i C(j, i) (-1)^i ∇^i l and r_j = Σ_i C(j, i) s^i ∇^i l; mirrored where
