@@ -10,7 +10,13 @@ from numpy.typing import ArrayLike, NDArray
 from timelaw.easing.joining import join_pieces
 from timelaw.easing.profile import Piece, Profile
 from timelaw.numerics.array import Array, freeze
-from timelaw.numerics.bernstein import basis_matrix, differentiate, halving_matrix, hermite_matrix
+from timelaw.numerics.bernstein import (
+    basis_matrix,
+    differentiate,
+    elevate,
+    halving_matrix,
+    smooth_ends,
+)
 from timelaw.numerics.state_form import derive
 
 CONDITIONED_ORDER = 3  # the highest derivative that is limited depends most wildly on control points
@@ -39,8 +45,12 @@ class PolynomialBasis:
 
     @cached_property
     def from_left(self) -> Array:
-        """L (d+1, r+1)."""
-        return self._padded(hermite_matrix(self.degree, self.continuity + 1))
+        """L (d+1, r+1): of the polynomials of degree 2r + 1 with one derivative at one end, and no other.
+
+        Were they zero but for the first control points, a change of the rate at a node would bend the legs
+        so sharply there that the solver could change it by little at a time.
+        """
+        return np.ascontiguousarray(elevate(smooth_ends(self.continuity), self.degree).T)
 
     @cached_property
     def from_free(self) -> Array:
@@ -67,12 +77,7 @@ class PolynomialBasis:
     @cached_property
     def from_right(self) -> Array:
         """R (d+1, r+1): the left end mirrored, τ → 1 - τ, so odd derivatives change sign."""
-        sign = (-1.0) ** np.arange(self.continuity + 1)
-        return self._padded(hermite_matrix(self.degree, self.continuity + 1) * sign)[::-1]
-
-    def _padded(self, block: Array) -> Array:
-        below = np.zeros((self.degree + 1 - len(block), block.shape[1]))
-        return np.concatenate([block, below])
+        return (self.from_left * (-1.0) ** np.arange(self.continuity + 1))[::-1]
 
     def easing(self, left: Array, free: Array, right: Array) -> Profile:
         """The easing with the coefficients x and exactly the derivatives g(0) and g(1) (r+1,) at its ends."""

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 from timelaw.easing.profile import Piece, Profile
 from timelaw.easing.spline_rates import expand_spline
 from timelaw.numerics.array import Array
-from timelaw.numerics.bernstein import basis_matrix, hermite_matrix
+from timelaw.numerics.bernstein import basis_matrix, hermite_matrix, smooth_ends
 
 PER_DEGREE = 4  # points per degree and interval on which extrema are looked for
 FITTED_ORDERS = (1, 2)  # derivatives in which a given easing is approximated
@@ -61,12 +61,38 @@ class SplineBasis:
     @cached_property
     def from_left(self) -> Array:
         """L (n (p+1), r+1)."""
-        return np.array(self._bezier[:, : self.continuity + 1] @ self._ends()[0])
+        return self._outer[0] + self.from_free @ self._lifts[0]
 
     @cached_property
     def from_right(self) -> Array:
         """R (n (p+1), r+1)."""
-        return np.array(self._bezier[:, -self.continuity - 1 :] @ self._ends()[1])
+        return self._outer[1] + self.from_free @ self._lifts[1]
+
+    @cached_property
+    def _outer(self) -> tuple[Array, Array]:
+        """The same (n (p+1), r+1) with no coefficients but those that the derivatives at an end determine."""
+        left, right = self._ends()
+        return self._bezier[:, : self.continuity + 1] @ left, self._bezier[:, -self.continuity - 1 :] @ right
+
+    @cached_property
+    def _lifts(self) -> tuple[Array, Array]:
+        """What derivatives at the ends add to x (free, r+1), so that L and R are smooth all over the leg.
+
+        They come near the polynomials of degree 2r + 1. Without, a change of the rate at a node would bend a
+        spline of many intervals so sharply there that the solver could change it by little at a time.
+        """
+        tau, weights = self.quadrature()
+        first, odd = smooth_ends(self.continuity), (-1.0) ** np.arange(self.continuity + 1)
+        both = np.concatenate([first, first[:, ::-1] * odd[:, None]])
+        fixed = np.concatenate(self._outer, axis=1)
+        rows, targets = [], []
+        for order, size in enumerate(self.sizes, 1):
+            matrix, scale = self.values(tau, order), np.sqrt(weights)[:, None] / size
+            wanted = basis_matrix(both.shape[1] - 1, tau, order) @ both.T
+            rows.append(scale * (matrix @ self.from_free))
+            targets.append(scale * (wanted - matrix @ fixed))
+        found = np.linalg.lstsq(np.concatenate(rows), np.concatenate(targets), rcond=None)[0]
+        return found[:, : self.continuity + 1], found[:, self.continuity + 1 :]
 
     @cached_property
     def _inner(self) -> Array:
@@ -92,7 +118,8 @@ class SplineBasis:
 
     def easing(self, left: Array, free: Array, right: Array) -> Profile:
         """The easing with the coefficients x and exactly the derivatives g(0) and g(1) (r+1,) at its ends."""
-        states, controls = expand_spline(self.breaks, self.degree, left, free / self._effects, right)
+        inner = (free + self._lifts[0] @ left + self._lifts[1] @ right) / self._effects
+        states, controls = expand_spline(self.breaks, self.degree, left, inner, right)
         return Profile(tuple(map(Piece, np.diff(self.breaks).tolist(), states, controls)))
 
     def values(self, tau: ArrayLike, order: int) -> Array:

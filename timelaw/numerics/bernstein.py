@@ -84,6 +84,15 @@ def hermite_matrix(degree: int, count: int) -> Array:
     return np.array([[comb(j, i) * falling[i] for i in range(count)] for j in range(count)])
 
 
+def smooth_ends(order: int) -> Array:
+    """Control points in rows (r+1, 2r+2): the i-th derivative at 0 is 1, all others up to the r-th are zero.
+
+    At 1 all are zero; mirrored, with the signs of odd derivatives changed, they are those of the other end.
+    """
+    block = hermite_matrix(2 * order + 1, order + 1)
+    return np.concatenate([block, np.zeros_like(block)]).T
+
+
 def integrate_square(control: ArrayLike) -> Array:
     """∫₀¹ p(u)² du (...) by Gauss-Legendre with n + 1 nodes, exact for degree 2n up to rounding."""
     c = np.asarray(control, dtype=float)
