@@ -44,6 +44,13 @@ def test_a_curve_cut_in_two_is_smooth_at_the_cut():
     assert uneven.curving == pytest.approx(0, abs=1e-9)
 
 
+def test_an_origin_that_stands_still_but_for_rounding_has_no_direction():
+    first, second = halves(0.3, 1.3, (TURNS, np.nextafter(PLACES[:1], [[9.0], [-9.0], [9.0], [9.0]])))
+    joint = joint_of([first, second])
+    assert (joint.geometric, joint.bend, joint.winding) == (3, None, None)
+    assert joint_of(halves(0.3, 1.3, (TURNS, PLACES[:1] + 1e-9 * PLACES))).bend == pytest.approx(0, abs=1e-5)
+
+
 def test_projective_weights_leave_the_path_and_change_its_parameter():
     """U = v/(v + c(1 - v)) with weights c^i: u' = c at v = 1... here β₁ = 3/7c and β₂ is not zero."""
     c = 1.3

@@ -15,6 +15,7 @@ from timelaw.numerics.array import Array
 from timelaw.numerics.quaternion import angle_between
 
 SAME = 1e-10  # relative; a body passes where the certificate finds no jump at 1e-9 of its limits
+ROUNDED = 1e-13  # of the origin's farthest place: a way so short is rounding
 STILL = 1e-9  # of the largest rate along a curve: slower than that it has no direction
 HIGHEST = 3  # order of the path's continuity that is looked for
 POINTS = 101
@@ -49,22 +50,25 @@ class Joint:
 
 @dataclass(frozen=True)
 class _Side:
-    """Derivatives along u, (3, 3) each of rotation and place, and how large the first ones get."""
+    """Derivatives along u (3, 3) of rotation and place, how large the first ones get, how far the origin is."""
 
     turning: Array
     moving: Array
     fastest: tuple[float, float]
+    farthest: float
 
 
 def _look(curve: Curve, u: float) -> _Side:
     grid = np.linspace(0.0, 1.0, POINTS)
     at = np.array([u])
+    place, way = curve.place(grid, 1)
     fastest = (
         float(np.max(np.linalg.norm(curve.turning(grid, 1)[0], axis=1))),
-        float(np.max(np.linalg.norm(curve.place(grid, 1)[1], axis=1))),
+        float(np.max(np.linalg.norm(way, axis=1))),
     )
     turning = np.stack([value[0] for value in curve.turning(at, HIGHEST)])
-    return _Side(turning, np.stack([value[0] for value in curve.place(at, HIGHEST)[1:]]), fastest)
+    moving = np.stack([value[0] for value in curve.place(at, HIGHEST)[1:]])
+    return _Side(turning, moving, fastest, float(np.max(np.linalg.norm(place, axis=1))))
 
 
 def find_joints(curves: Sequence[Curve]) -> tuple[Joint, ...]:
@@ -75,7 +79,8 @@ def find_joints(curves: Sequence[Curve]) -> tuple[Joint, ...]:
 def _compare(before: Curve, after: Curve) -> Joint:
     one, two = _look(before, 1.0), _look(after, 0.0)
     largest = [max(a, b) for a, b in zip(one.fastest, two.fastest, strict=True)]
-    weights = [1 / size if size > 0 else 0.0 for size in largest]
+    still = 0.0, ROUNDED * max(one.farthest, two.farthest)
+    weights = [1 / size if size > least else 0.0 for size, least in zip(largest, still, strict=True)]
     x = np.hstack([one.turning * weights[0], one.moving * weights[1]])
     y = np.hstack([two.turning * weights[0], two.moving * weights[1]])
     steps = [
@@ -90,7 +95,7 @@ def _compare(before: Curve, after: Curve) -> Joint:
         float(np.linalg.norm(ends[1] - ends[0])),
         ((float(steps[0][0]), float(steps[0][1])), (float(steps[1][0]), float(steps[1][1]))),
         _angle(one.turning[0], two.turning[0], largest[0]),
-        _angle(one.moving[0], two.moving[0], largest[1]),
+        _angle(one.moving[0], two.moving[0], largest[1]) if weights[1] else None,
         _curvature(left, slice(0, 3), weights[0], one.turning[0], largest[0]),
         _curvature(left, slice(3, 6), weights[1], one.moving[0], largest[1]),
         ratios,
