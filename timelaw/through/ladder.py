@@ -104,7 +104,7 @@ def climb(
         free.append(found.curve or found.last)
         steps = found.steps
         if form.deviation is not None:
-            found = _keep_near(free[-1], stretch, limits, form.deviation)
+            found = _keep_near(free[-1], stretch, limits, form.deviation, best)
             steps += found.steps
         blurred = found.curve is not None and find_blur(found.curve, limits) > TOLERABLE
         time = found.curve.total if found.curve and not blurred else 0.0
@@ -131,31 +131,51 @@ def _begin_rung(
     return settle(parted, limits)
 
 
-def _search(curve: Curve, stretch: Stretch, measures: Sequence[Measure], radius: float) -> Found:
+def _search(
+    curve: Curve,
+    stretch: Stretch,
+    measures: Sequence[Measure],
+    radius: float,
+    *,
+    until_held: bool = False,
+) -> Found:
     """The better of what both ways to measure the rates at nodes come to, where there are tiny legs."""
     small = float(np.min(stretch.angles)) < TINY * float(np.mean(stretch.angles))
     tiny = small and len(stretch.angles) <= MANY
-    found = [
-        improve(
+    found: list[Found] = []
+    for clocks in (False, True) if tiny else (False,):
+        one = improve(
             curve,
             number_columns(curve, stretch.held, periodic=stretch.periodic, clocks=clocks),
             stretch.angles,
             LeastTime(measures),
             radius=radius,
             is_over=is_late,
+            until_held=until_held,
         )
-        for clocks in ((False, True) if tiny else (False,))
-    ]
+        found.append(one)
+        if until_held and one.curve is not None:
+            break
     return min(found, key=lambda one: one.curve.total if one.curve else np.inf)
 
 
-def _keep_near(curve: Curve, stretch: Stretch, limits: Sequence[Measure], bound: float) -> Found:
-    """From a curve that leaves the arcs farther: at once, or bound by bound."""
+def _keep_near(
+    curve: Curve, stretch: Stretch, limits: Sequence[Measure], bound: float, known: Curve | None
+) -> Found:
+    """From a curve that leaves the arcs farther and from one of fewer pieces that is near, the better.
+
+    Where neither comes to anything, bound by bound; only the last one counts.
+    """
 
     def search(begun: Curve, angle: float) -> Found:
-        return _search(begun, stretch, [*limits, limit_deviation(stretch.turn, angle)], FIRST_RADIUS)
+        near = [*limits, limit_deviation(stretch.turn, angle)]
+        return _search(begun, stretch, near, FIRST_RADIUS, until_held=angle > bound)
 
     found = search(curve, bound)
+    if known is not None:
+        parted = split(known, curve.pieces)
+        near = search(parted.stretched(find_use(parted, limits).worst), bound)
+        return min((found, near), key=lambda one: one.curve.total if one.curve else np.inf)
     for angle in () if found.curve is not None else _list_bounds(curve, stretch.turn, bound):
         if is_late():
             break

@@ -88,13 +88,17 @@ def improve(
     radius: float = FIRST_RADIUS,
     samples: int = SAMPLES,
     is_over: Callable[[], bool] = lambda: False,
+    until_held: bool = False,
 ) -> Found:
-    """The best curve found, never worse than the one it begins with if that holds the limits."""
+    """The best curve found, never worse than the one it begins with if that holds the limits.
+
+    Any that holds them is good enough if it is looked for `until_held`.
+    """
     calm, most, steps = 0, 0, 0
     look = plan.look(curve, samples)
     best = plan.keep(None, curve, look)
     least, idle = look.merit, 0
-    while steps < MOST_STEPS:
+    while steps < MOST_STEPS and not (until_held and best is not None):
         steps += 1
         check_interrupted()
         measures = plan.hold(curve)
