@@ -16,7 +16,7 @@ from tests.campaign import least, leg_program
 from tests.campaign.__main__ import main
 from tests.campaign.attitude import about, apart, product, turn
 from tests.campaign.generators import KINDS, SCENES, make_case
-from tests.campaign.judge import HANG, TRACEBACK, WRONG, judge
+from tests.campaign.judge import HANG, SLOW, TRACEBACK, WRONG, Result, judge, judge_hurried
 from tests.campaign.pool import Job, Pool
 from tests.campaign.records import append_record, read_records, summarise
 from tests.campaign.refusal import CONFIRMED, UNCONFIRMED, judge_refusal
@@ -77,15 +77,30 @@ def sleep(job, limit, pipe):  # noqa: ARG001
         pass
 
 
+def end_when_told(job, limit, pipe):
+    if not job.hurried:
+        sleep(job, limit, pipe)
+    pipe.send((make_case(job.seed, job.number, small=job.small), Result(SLOW)))
+
+
 def die(job, limit, pipe):  # noqa: ARG001
     raise SystemExit(3)
 
 
-@pytest.mark.parametrize(("target", "verdict"), [(sleep, HANG), (die, TRACEBACK)])
+@pytest.mark.parametrize(("target", "verdict"), [(sleep, HANG), (end_when_told, SLOW), (die, TRACEBACK)])
 def test_a_process_that_never_ends_or_dies_is_a_verdict(target, verdict, pool):
     ((_, case, result),) = pool.run([Job(SEED, 0, small=True)], target)
     assert result.verdict == verdict
     assert case == make_case(SEED, 0, small=True)
+
+
+@pytest.mark.parametrize("kind", ["passing", "effort", "bezier"])
+def test_a_design_that_is_told_to_end_does(kind):
+    """With a certified law, or the word that there is none yet."""
+    begun = time.monotonic()
+    result = judge_hurried(make_case(SEED, 4, kind=kind).text, 0.1)
+    assert (result.verdict, result.findings) == (SLOW, [])
+    assert time.monotonic() - begun < CPU_LIMIT
 
 
 def test_a_campaign_goes_on_where_it_was_stopped(tmp_path, capsys):
@@ -102,7 +117,6 @@ def test_a_campaign_goes_on_where_it_was_stopped(tmp_path, capsys):
 
 
 def test_a_failing_case_is_written_as_a_problem_file(tmp_path):
-    from tests.campaign.judge import Result
     from tests.campaign.pool import Job
     from tests.campaign.records import make_record, write_failure
 

@@ -23,9 +23,11 @@ from timelaw.cli.design import list_files
 from timelaw.errors import InfeasibleError, InputError
 from timelaw.pipeline_bezier import design_curves
 from timelaw.problem import load_problem
+from timelaw.time_limit import limit_time
 
-CERTIFIED, NOT_CERTIFIED, TRACEBACK, HANG = "certified", "not certified", "traceback", "hang"
-VERDICTS = (CERTIFIED, CONFIRMED, UNCONFIRMED, NOT_CERTIFIED, TRACEBACK, HANG, WRONG)
+CERTIFIED, SLOW, NOT_CERTIFIED = "certified", "slow", "not certified"
+TRACEBACK, HANG = "traceback", "hang"
+VERDICTS = (CERTIFIED, SLOW, CONFIRMED, UNCONFIRMED, NOT_CERTIFIED, TRACEBACK, HANG, WRONG)
 FAILED = (NOT_CERTIFIED, TRACEBACK, HANG, WRONG)
 
 TOO_MANY = re.compile(r"output.rate: \d+ rows")
@@ -73,6 +75,27 @@ def judge(text: str, *, files: bool = False) -> Result:
     if ours and not result.failed:
         result.verdict = WRONG
     result.findings += sorted({f"warning: {w.category.__name__}: {w.message}" for w in ours})
+    result.seconds = cpu() - begun
+    return result
+
+
+def judge_hurried(text: str, seconds: float) -> Result:
+    """Design a problem that takes long, told to end after so many of wall time: with a certified law, or none."""
+    begun = cpu()
+    with tempfile.TemporaryDirectory() as folder, limit_time(seconds):
+        path = Path(folder) / "problem.yaml"
+        path.write_text(text)
+        try:
+            curved = read_spec(text).curved
+            done = design_curves(path, *load_problem(path)) if curved else design(path)
+        except InfeasibleError as error:
+            ended = "time limit" in str(error)
+            result = Result(SLOW if ended else WRONG, [] if ended else [f"in a hurry: {error}"], str(error))
+        except Exception:  # the very thing that is looked for
+            result = _crashed(begun)
+        else:
+            findings = [f"in a hurry: {finding}" for finding in done.optimised.certificate.findings()]
+            result = Result(NOT_CERTIFIED if findings else SLOW, findings, "ended with the best law so far")
     result.seconds = cpu() - begun
     return result
 

@@ -1,4 +1,7 @@
-"""Each case in a process of its own, which can be killed: one that takes too long is a hang."""
+"""Each case in a process of its own, which can be killed.
+
+One that takes too long is begun again and told to end in half the time: if it does, it is slow; else it hangs.
+"""
 
 import multiprocessing as mp
 import os
@@ -6,11 +9,11 @@ import signal
 import threading
 import time
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from multiprocessing.connection import wait
 
 from tests.campaign.generators import Case, make_case
-from tests.campaign.judge import HANG, TRACEBACK, Result, judge
+from tests.campaign.judge import HANG, TRACEBACK, Result, judge, judge_hurried
 
 PRELOAD = ["casadi", "scipy.optimize", "scipy.interpolate", "timelaw.report", "tests.campaign.pool"]
 WALL = 20.0  # times the CPU time allowed, after which even a sleeping process is given up
@@ -25,6 +28,7 @@ class Job:
     number: int
     small: bool = False
     kind: str | None = None
+    hurried: bool = False
 
 
 def work(job: Job, limit: float, pipe) -> None:
@@ -34,7 +38,11 @@ def work(job: Job, limit: float, pipe) -> None:
     signal.signal(signal.SIGPROF, signal.SIG_DFL)
     signal.setitimer(signal.ITIMER_PROF, limit)
     case = make_case(job.seed, job.number, small=job.small, kind=job.kind)
-    pipe.send((case, judge(case.text, files=job.number % FILES_EVERY[job.small] == 0)))
+    if job.hurried:
+        result = judge_hurried(case.text, limit / 2)
+    else:
+        result = judge(case.text, files=job.number % FILES_EVERY[job.small] == 0)
+    pipe.send((case, result))
     pipe.close()
 
 
@@ -84,9 +92,13 @@ class Pool:
             wait([one.pipe for one in self.running], timeout=0.5)
             for one in list(self.running):
                 result = self._collect(one)
-                if result is not None:
-                    self.running.remove(one)
-                    yield one.job, *result
+                if result is None:
+                    continue
+                self.running.remove(one)
+                if one.process.exitcode == -signal.SIGPROF and not one.job.hurried:
+                    self.running.append(self._start(replace(one.job, hurried=True), target))
+                else:
+                    yield replace(one.job, hurried=False), *result
 
     def _start(self, job: Job, target) -> _Running:
         here, there = self.context.Pipe(duplex=False)

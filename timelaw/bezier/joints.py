@@ -50,7 +50,7 @@ class Joint:
 
 @dataclass(frozen=True)
 class _Side:
-    """Derivatives along u (3, 3) of rotation and place, how large the first ones get, how far the origin is."""
+    """Derivatives along u (3, 3) of rotation and place, how large the first ones get, the farthest place."""
 
     turning: Array
     moving: Array

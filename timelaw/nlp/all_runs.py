@@ -209,6 +209,12 @@ def _find_earliest(
 def _too_early(deadline: Deadline, earliest: float) -> Fault:
     asked = deadline.budget.time + deadline.dwells
     digits = 6 if earliest > asked * (1 + SHOWN) else 12
+    if is_late():  # how early is not known
+        message = (
+            f"the time limit ended the search: the earliest found for {deadline.what} by then is "
+            f"{earliest:.{digits}g} s, {asked:.{digits}g} s is asked for; give more with --time-limit"
+        )
+        return Fault(message, deadline.where)
     message = (
         f"{asked:.{digits}g} s is too early for {deadline.what}: "
         f"the earliest possible is {earliest:.{digits}g} s, {earliest - asked:.6g} s later"
