@@ -6,7 +6,7 @@ from scipy.optimize import brentq
 
 from tests.cases import demand
 from tests.oracles import LinearProgram
-from timelaw.easing.family import PolynomialFamily
+from timelaw.easing.family import PolynomialFamily, SplineFamily
 from timelaw.easing.smoothstep import control_points
 from timelaw.easing.time_scaling import used_fraction
 from timelaw.errors import InfeasibleError
@@ -141,3 +141,38 @@ def test_weights_trade_time_against_effort():
     )
     assert efforts[2] == pytest.approx(quintic, rel=1e-6)
     assert 5 * 10.0 * efforts[2] / least_effort == pytest.approx(times[2], rel=1e-5)
+
+
+FAMILIES = [SplineFamily(4, 33, 2), SplineFamily(5, 33, 2), SplineFamily(7, 33, 2), PolynomialFamily(31, 2)]
+SLOW = {"acceleration": 10.0, "jerk": 15.0}
+
+
+@pytest.mark.parametrize("family", FAMILIES, ids=str)
+@pytest.mark.parametrize("legs", [3, pytest.param(6, marks=pytest.mark.campaign)])
+def test_least_jerk_over_a_run_is_the_quintic_over_all_of_it(legs, family):
+    """Nodes on the way cost nothing where legs may last as they like: ∫|jerk|² = 720 θ²/T⁵, free of limits.
+
+    Of splines of many intervals the solver found none of these while rates at nodes bent their first intervals only.
+    """
+    run = RunProblem(tuple(demand(0.35, SLOW) for _ in range(legs)), family)
+    least = solve_runs([run])
+    effort, angle = EFFORTS["jerk"], 0.35 * legs
+    time = 2.3 * sum_durations(least.timings)
+    near = 1e-6 if isinstance(family, PolynomialFamily) or family.degree > 4 else 1e-4  # a quartic is none
+    for goal, given in (
+        ({"weight": 39.0}, []),
+        (
+            {"total_time": TotalTime(time)},
+            [Deadline(Budget(legs, time), "objective.total_time", "the end", 0.0)],
+        ),
+    ):
+        solution = solve_together([run], least.timings, Goal(minimise="jerk", **goal), given)
+        assert solution.status is Status.OPTIMAL
+        lasts = sum_durations(solution.timings)
+        assert effort.measure(run.demands, solution.timings) == pytest.approx(
+            720 * angle**2 / lasts**5, rel=near
+        )
+        if not given:  # T/T* + w E/E* has no slope there: 1/T* = 5 w E/(E* T)
+            cost = effort.measure(run.demands, least.timings)
+            best = (5 * 39 * 720 * angle**2 * sum_durations(least.timings) / cost) ** (1 / 6)
+            assert lasts == pytest.approx(best, rel=1e-3)
