@@ -112,5 +112,7 @@ def _meet(found: Findings, walk: _Walk, label: str, asked: float) -> None:
     exact = walk.rigid and abs(asked - walk.lower) <= 1e-12 * walk.lower
     found.possible = found.possible and (exact if walk.rigid else asked >= walk.upper * (1 + SURE))
     walk.lower = asked
-    walk.upper = inf if found.impossible else asked  # of what follows a time that cannot be kept no more is known
+    walk.upper = (
+        inf if found.impossible else asked
+    )  # of what follows a time that cannot be kept no more is known
     walk.rigid = True

@@ -95,10 +95,11 @@ class Pool:
                 if result is None:
                     continue
                 self.running.remove(one)
-                if one.process.exitcode == -signal.SIGPROF and not one.job.hurried:
-                    self.running.append(self._start(replace(one.job, hurried=True), target))
+                again = self.urge(one.job) if one.process.exitcode == -signal.SIGPROF else None
+                if again is not None:
+                    self.running.append(self._start(again, target))
                 else:
-                    yield replace(one.job, hurried=False), *result
+                    yield one.job, *result
 
     def _start(self, job: Job, target) -> _Running:
         here, there = self.context.Pipe(duplex=False)
@@ -124,6 +125,10 @@ class Pool:
         if late or one.process.exitcode == -signal.SIGPROF:
             return self.give_up(one.job, HANG, f"more than {self.limit:g} s of CPU time", self.limit)
         return self.give_up(one.job, TRACEBACK, f"the process ended with {one.process.exitcode}")
+
+    def urge(self, job: Job) -> Job | None:
+        """The job to be begun again where it has used up its time."""
+        return None if job.hurried else replace(job, hurried=True)
 
     def give_up(self, job: Job, verdict: str, finding: str, seconds: float = 0.0):
         """The result of a job whose process has ended without one."""

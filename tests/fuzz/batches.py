@@ -79,6 +79,9 @@ def work(batch: Batch, limit: float, pipe) -> None:
 class BatchPool(Pool):
     """A batch that dies says only how; its inputs are run again one by one."""
 
+    def urge(self, job: Batch) -> None:
+        """Nothing that reads is told to end."""
+
     def give_up(self, job: Batch, verdict: str, finding: str, seconds: float = 0.0):
         """The outcome that ended it."""
         return job, Tally(lost=Outcome(verdict, f"{finding} ({seconds:g} s)"))
