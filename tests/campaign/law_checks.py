@@ -69,12 +69,13 @@ def nodes_are_met(e: Evidence) -> Iterator[str]:
 
 
 def arcs_are_kept(e: Evidence) -> Iterator[str]:
-    """Between the nodes the body turns about the leg's axis alone."""
+    """Between the nodes the body turns about the leg's axis alone, which digits tell the worse the farther beyond."""
+    precision = e.spec.precision * (1 + e.beyond)
     for leg, (_, left), (arrived, _) in zip(e.legs, e.visits, e.visits[1:], strict=False):
         t = np.linspace(left, arrived, 17)[1:-1]
         d = product(inverse(e.points[leg.origin]), np.asarray(e.law(t)))[:, 1:]
         aside = float(np.max(np.linalg.norm(d - (d @ leg.axis)[:, None] * leg.axis, axis=1))) * 2
-        if not aside <= 4 * MEETS + 2 * e.spec.precision:
+        if not aside <= 4 * MEETS + 2 * precision:
             yield f"leg {leg.origin}-{leg.target}: {aside:.3g} rad beside the arc"
 
 
