@@ -16,7 +16,9 @@ from tests.campaign.times import known_legs
 CONFIRMED, UNCONFIRMED, WRONG = "refused-confirmed", "refused-unconfirmed", "wrong"
 SEGMENT = re.compile(r"segments\.(\S+)\.duration: ")
 FACTOR = re.compile(r"limits would have to be (\S+) times as large")
-EARLY = re.compile(r"(\S+) s is too early for (?:arrival at (.+?)|the end): the earliest possible is (\S+) s")
+EARLY = re.compile(
+    r"(\S+) s is too early for (?:arrival at (.+?)|the end): the earliest possible is (not before )?(\S+) s"
+)
 BRAKING = re.compile(r"takes (\S+)° at least under the limits; the run there has (\S+)°")
 REACHED = re.compile(r"nodes\.(start|end)\.\w+: under .* (?:goes on to|has come from) (\S+) .* at least")
 BROKEN = re.compile(r"nodes\.(?:start|end)\.\w+: (\S+) times as much as the limit on")
@@ -117,12 +119,14 @@ def _show(found: Findings) -> str:
 
 def _wrong_earliest(spec: Spec, legs: list[Leg], found: Findings, early: re.Match) -> str:
     """What is wrong with the earliest time that a message states."""
-    asked, label, earliest = float(early.group(1)), early.group(2) or legs[-1].target, float(early.group(3))
+    asked, label, earliest = float(early.group(1)), early.group(2) or legs[-1].target, float(early.group(4))
     dwell = 0.0 if early.group(2) else spec.dwell(label, len(legs), len(legs) + 1)
     low, high = (t + dwell for t in found.earliest.get(label, (0.0, inf)))
     wanted = spec.total_time if early.group(2) is None else number(spec.nodes[label]["time"])
     if wanted is not None and abs(asked - wanted) > 1e-5 * wanted:
         return f"{asked} s was not asked for at {label}, but {wanted}"
+    if early.group(3):  # no more is said than that
+        low = 0.0
     if not low * (1 - ON_TIME) <= earliest <= high * (1 + ON_TIME):
         return f"the earliest possible is {low:.9g} to {high:.9g} s, not {earliest}"
     return ""

@@ -182,7 +182,8 @@ def stretch_to(
             if deadline.budget.time - since < waiting * (1 - LAST_DIGIT):
                 begun = (*timings, *least[legs])
                 earliest = _find_earliest(runs, begun, [known.budget for known in given])
-                raise InfeasibleError(_too_early(deadline, (earliest or since + waiting) + deadline.dwells))
+                least_known = (earliest or since + waiting) + deadline.dwells
+                raise InfeasibleError(_too_early(deadline, least_known, sure=earliest is not None))
             since, waiting = deadline.budget.time, 0.0
         factor = max(find_stretch(left, needed), LEAST_FACTOR)
         timings += [timing.stretched(factor) for timing in least[legs]]
@@ -206,7 +207,8 @@ def _find_earliest(
     return found.duration if found is not None and holds_limits(program, found) else None
 
 
-def _too_early(deadline: Deadline, earliest: float) -> Fault:
+def _too_early(deadline: Deadline, earliest: float, *, sure: bool) -> Fault:
+    """What is said of a time before the earliest; not `sure`, that is later than the time here."""
     asked = deadline.budget.time + deadline.dwells
     digits = 6 if earliest > asked * (1 + SHOWN) else 12
     if is_late():  # how early is not known
@@ -216,8 +218,8 @@ def _too_early(deadline: Deadline, earliest: float) -> Fault:
         )
         return Fault(message, deadline.where)
     message = (
-        f"{asked:.{digits}g} s is too early for {deadline.what}: "
-        f"the earliest possible is {earliest:.{digits}g} s, {earliest - asked:.6g} s later"
+        f"{asked:.{digits}g} s is too early for {deadline.what}: the earliest possible is "
+        f"{'' if sure else 'not before '}{earliest:.{digits}g} s, {earliest - asked:.6g} s later"
     )
     return Fault(message, deadline.where)
 
