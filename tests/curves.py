@@ -20,7 +20,7 @@ PLACES = np.cumsum(RNG.normal(size=(4, 3)), axis=0)
 
 def split(control, u):
     """Both parts of a curve, by de Casteljau."""
-    rows = np.array(control, dtype=float)
+    rows = np.array(control) * 1.0  # in the precision that is given
     left, right = [rows[0]], [rows[-1]]
     while len(rows) > 1:
         rows = (1 - u) * rows[:-1] + u * rows[1:]

@@ -7,6 +7,7 @@ from math import comb, perm
 import numpy as np
 import pytest
 
+from tests.curves import split
 from timelaw.numerics.composition import compose_control
 from timelaw.numerics.joined import round_joined
 
@@ -29,25 +30,18 @@ def find_jumps(pieces, durations, order):
     ]
 
 
-def cut(control, u):
-    """De Casteljau's scheme in extended precision: what is cut in doubles jumps already."""
-    left, right = [control[0]], [control[-1]]
-    while len(control) > 1:
-        control = (1 - u) * control[:-1] + u * control[1:]
-        left.append(control[0])
-        right.append(control[-1])
-    return np.array(left), np.array(right[::-1])
-
-
 def make_pieces(seed, ratios):
-    """One curve of random degree cut where `ratios` say, and the durations of its parts."""
+    """One curve of random degree cut where `ratios` say, and the durations of its parts.
+
+    In extended precision: what is cut in doubles jumps already.
+    """
     random = np.random.default_rng(seed)
     outer = random.normal(size=(random.integers(4, 8), 3)) * 10.0 ** random.integers(-3, 4)
     inner = np.sort(random.uniform(size=random.integers(5, 9)))
     whole, left = compose_control(outer, inner), np.longdouble(sum(ratios))
     pieces = []
     for ratio in ratios[:-1]:
-        first, whole = cut(whole, ratio / left)
+        first, whole = split(whole, ratio / left)
         pieces.append(first)
         left -= ratio
     return [*pieces, whole], [ratio * 0.375 for ratio in ratios]
